@@ -1,0 +1,1 @@
+"""Buildings of our own: a readable description -> drawing, exact truth, world, survey, tour."""

@@ -1,0 +1,45 @@
+"""A user's mistake gets one clear sentence: the name, the rule and the value."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+def check_probability(name: str, p: float) -> float:
+    """Return `p` as a float, or say that it does not lie strictly between 0 and 1.
+
+    >>> check_probability("p_free", 0.9)
+    0.9
+    """
+    p = float(p)
+    if not 0.0 < p < 1.0:
+        raise ValueError(f"{name} must lie strictly between 0 and 1, got {p:g}")
+    return p
+
+
+def check_positive(name: str, value: float) -> float:
+    """Return `value` as a float, or say that it is not a finite positive number."""
+    value = float(value)
+    if not (np.isfinite(value) and value > 0):
+        raise ValueError(f"{name} must be a finite number above 0, got {value:g}")
+    return value
+
+
+def check_image(name: str, image: ArrayLike, dtype: type = bool) -> NDArray:
+    """Return a 2-D array of `dtype` with at least one pixel, or say what is wrong with it."""
+    array = np.asarray(image)
+    if array.ndim != 2 or array.size == 0:
+        raise ValueError(f"{name} must be a 2-D image with at least one pixel, got shape {array.shape}")
+    return array.astype(dtype, copy=False)
+
+
+def check_poses(name: str, poses: ArrayLike) -> NDArray[np.float64]:
+    """Return finite (N, 3) poses x, y, theta, or say what is wrong with them."""
+    array = np.asarray(poses, dtype=np.float64)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"{name} must have shape (N, 3) for x, y, theta, got shape {array.shape}")
+    if not np.isfinite(array).all():
+        row = int(np.flatnonzero(~np.isfinite(array).all(axis=1))[0])
+        raise ValueError(f"{name} must be finite numbers, got {array[row].tolist()} in row {row}")
+    return array

@@ -1,0 +1,166 @@
+"""Records of what a robot saw: ranges with poses (chapters 4-5), the evidence they add up to, and a log (chapter 6)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.checks import check_poses
+from priorlab.core.grid import Grid
+from priorlab.core.sensor import RangeSensor, Scanner
+
+
+@dataclass(frozen=True, eq=False)
+class Readings:
+    """Ranges measured from known poses, in the drawing's pixels; they carry the sensor that took them.
+
+    Parameters
+    ----------
+    poses : (N, 3) x, y, theta; pixels, y up
+    ranges : (N, B) distance to the obstacle along every bearing, pixels; inf where nothing stood within range
+    bearings : (B,) angles to theta, radians
+    sensor : the sensor
+    image_shape : (height, width) of the drawing that the poses lie on, pixels
+    """
+
+    poses: NDArray[np.float64]
+    ranges: NDArray[np.float64]
+    bearings: NDArray[np.float64]
+    sensor: RangeSensor
+    image_shape: tuple[int, int]
+
+    def __post_init__(self) -> None:
+        poses = check_poses("poses", self.poses)
+        ranges = np.asarray(self.ranges, dtype=np.float64)
+        bearings = np.asarray(self.bearings, dtype=np.float64)
+        if ranges.shape != (len(poses), len(bearings)):
+            raise ValueError(f"ranges must have shape {(len(poses), len(bearings))}, got {ranges.shape}")
+        if np.isnan(ranges).any() or (ranges < 0).any():
+            pose, beam = np.argwhere(np.isnan(ranges) | (ranges < 0))[0]
+            raise ValueError(
+                f"ranges must be 0 or more, or inf for no return, got {ranges[pose, beam]:g} at pose {pose}, beam {beam}"
+            )
+        object.__setattr__(self, "poses", poses)
+        object.__setattr__(self, "ranges", ranges)
+        object.__setattr__(self, "bearings", bearings)
+
+    def __len__(self) -> int:
+        return len(self.poses)
+
+    def __getitem__(self, chosen: slice | NDArray) -> Readings:
+        """Some of the readings: `readings[:100]` is the first hundred poses."""
+        return Readings(self.poses[chosen], self.ranges[chosen], self.bearings, self.sensor, self.image_shape)
+
+    def __repr__(self) -> str:
+        hits = 100 * np.isfinite(self.ranges).mean() if self.ranges.size else 0.0
+        return f"Readings({len(self)} poses x {len(self.bearings)} bearings, {hits:.0f} % met an obstacle)"
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """All that readings say about every cell, whatever the prior: two numbers a cell. Evidence adds and subtracts.
+
+    Parameters
+    ----------
+    total : (rows, cols) float64, S = sum of logit(inverse sensor model) over the cell's readings
+    looks : (rows, cols) int64, n = number of readings
+    grid : the cells
+    sensor : the sensor whose model made the total
+    """
+
+    total: NDArray[np.float64]
+    looks: NDArray[np.int64]
+    grid: Grid
+    sensor: RangeSensor
+
+    def __post_init__(self) -> None:
+        for name, dtype in (("total", np.float64), ("looks", np.int64)):
+            values = np.asarray(getattr(self, name), dtype=dtype)
+            if values.shape != self.grid.shape:
+                raise ValueError(f"{name} must have the grid's shape {self.grid.shape}, got {values.shape}")
+            object.__setattr__(self, name, values)
+
+    @classmethod
+    def none(cls, grid: Grid, sensor: RangeSensor | None = None) -> Evidence:
+        """No readings yet."""
+        return cls(np.zeros(grid.shape), np.zeros(grid.shape, dtype=np.int64), grid, sensor or RangeSensor())
+
+    def __add__(self, other: Evidence) -> Evidence:
+        self._check_same(other)
+        return Evidence(self.total + other.total, self.looks + other.looks, self.grid, self.sensor)
+
+    def __sub__(self, other: Evidence) -> Evidence:
+        self._check_same(other)
+        return Evidence(self.total - other.total, self.looks - other.looks, self.grid, self.sensor)
+
+    def _check_same(self, other: Evidence) -> None:
+        if self.grid != other.grid or self.sensor != other.sensor:
+            raise ValueError("evidence adds up only for one grid and one sensor, got two different ones")
+
+    @property
+    def seen(self) -> NDArray[np.bool_]:
+        """(rows, cols) True where a cell was looked at."""
+        return self.looks > 0
+
+    @property
+    def mean_looks(self) -> float:
+        """Mean number of readings of a cell that was seen; decides whether a prior pays."""
+        return float(self.looks[self.seen].mean()) if self.seen.any() else 0.0
+
+    def __repr__(self) -> str:
+        return f"Evidence({100 * self.seen.mean():.1f} % of the cells seen, {self.mean_looks:.2f} looks each)"
+
+
+@dataclass(frozen=True, eq=False)
+class RobotLog:
+    """What a robot recorded on a drive, in metres: odometry and scans, and in simulation the truth.
+
+    Parameters
+    ----------
+    odometry : (T, 3) poses x, y, theta as the wheels report them
+    ranges : (T, B) metres; inf = no return, nan = no reading
+    bearings : (B,) radians to the heading
+    scanner : the scanner
+    start : (3,) pose at which the robot was put down, in the map's frame
+    truth : (T, 3) true poses, or None
+    stamps : (T,) seconds, or None
+    """
+
+    odometry: NDArray[np.float64]
+    ranges: NDArray[np.float64]
+    bearings: NDArray[np.float64]
+    scanner: Scanner
+    start: NDArray[np.float64]
+    truth: NDArray[np.float64] | None = None
+    stamps: NDArray[np.float64] | None = None
+
+    def __post_init__(self) -> None:
+        odometry = check_poses("odometry", self.odometry)
+        ranges = np.asarray(self.ranges, dtype=np.float64)
+        bearings = np.asarray(self.bearings, dtype=np.float64)
+        if ranges.shape != (len(odometry), len(bearings)):
+            raise ValueError(f"ranges must have shape {(len(odometry), len(bearings))}, got {ranges.shape}")
+        if (ranges < 0).any():
+            raise ValueError(f"ranges must not be negative, got {np.nanmin(ranges):g} m")
+        start = check_poses("start", np.atleast_2d(self.start))[0]
+        truth = None if self.truth is None else check_poses("truth", self.truth)
+        if truth is not None and len(truth) != len(odometry):
+            raise ValueError(f"truth must hold {len(odometry)} poses, one per odometry pose, got {len(truth)}")
+        for name, value in (
+            ("odometry", odometry),
+            ("ranges", ranges),
+            ("bearings", bearings),
+            ("start", start),
+            ("truth", truth),
+        ):
+            object.__setattr__(self, name, value)
+
+    def __len__(self) -> int:
+        return len(self.odometry)
+
+    def __repr__(self) -> str:
+        steps = np.diff(self.odometry[:, :2], axis=0)
+        length = float(np.hypot(steps[:, 0], steps[:, 1]).sum())
+        return f"RobotLog({len(self)} scans of {len(self.bearings)} beams over {length:.1f} m)"

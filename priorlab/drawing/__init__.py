@@ -1,0 +1,1 @@
+"""Chapter 3: an image of a drawing -> corners -> doors -> walls."""

@@ -1,0 +1,1 @@
+"""What others exchange: images, ROS maps, logs."""

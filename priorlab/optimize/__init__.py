@@ -1,0 +1,1 @@
+"""Every prior at once: experiment, exact sweep, Pareto front, clusters."""

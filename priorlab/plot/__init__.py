@@ -1,0 +1,1 @@
+"""Pictures: data and an ax in, the ax out; one file per chapter."""

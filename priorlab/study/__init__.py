@@ -1,0 +1,1 @@
+"""Many drawings, priors and seeds."""

@@ -1,0 +1,1 @@
+"""Sliders that wire the library to pictures; nothing is computed here."""
