@@ -1,0 +1,30 @@
+"""Prints the public names with their signatures; `make api` keeps the result in public_api.txt."""
+
+import dataclasses
+import inspect
+
+import priorlab
+
+
+def describe(name: str) -> str:
+    """One line: the name and what a caller must know of it."""
+    thing = getattr(priorlab, name)
+    if inspect.ismodule(thing):
+        return f"{name}: module"
+    if inspect.isclass(thing):
+        public = sorted(member for member in vars(thing) if not member.startswith("_"))
+        fields = [field.name for field in dataclasses.fields(thing) if field.init] if dataclasses.is_dataclass(thing) else []
+        return f"{name}({', '.join(fields)}): {', '.join(m for m in public if m not in fields)}"
+    if callable(thing):
+        parameters = inspect.signature(thing).parameters.values()
+        return f"{name}({', '.join(str(p.replace(annotation=p.empty)) for p in parameters)})"
+    return f"{name}: {type(thing).__name__}"
+
+
+def public_api() -> str:
+    """All public names, one a line."""
+    return "\n".join(describe(name) for name in sorted(priorlab.__all__))
+
+
+if __name__ == "__main__":
+    print(public_api())
