@@ -1,0 +1,55 @@
+"""Eq. 2.22: a reading that agrees with the prior must still say something, or looking twice makes a free cell a wall."""
+
+from __future__ import annotations
+
+import warnings
+
+from priorlab.core.grid_map import Prior
+from priorlab.core.log_odds import TIE, log_odds
+
+
+class OverruledSensorWarning(UserWarning):
+    """The prior is surer than the sensor: readings that confirm the plan turn the map against it."""
+
+
+def overruled_readings(prior: Prior, p_free: float, p_occupied: float, lam: float = 1.0) -> str | None:
+    """A sentence when the prior breaks eq. 2.22, None when it does not.
+
+    Each further look adds logit(ISM) - lam l_0 to a cell. A free reading of plan space must add something above 0 and a
+    wall reading of a plan wall something below 0; for lam = 1 that is p_space < p_free and p_wall > p_occupied (eq. 2.22),
+    for lam = 0 it always holds.
+
+    Parameters
+    ----------
+    prior : its EFFECTIVE values count
+    p_free, p_occupied : the inverse sensor model
+    lam : weight of the prior in the update, as in `update_map`
+
+    >>> overruled_readings(Prior(0.2, 0.9), p_free=0.9, p_occupied=0.1) is None
+    True
+    >>> overruled_readings(Prior(0.2, 1.0), p_free=0.8, p_occupied=0.1)
+    'the effective p_space 0.9 must lie below the p_free 0.8 of the sensor (eq. 2.22): each free look makes space less free'
+    """
+    space, wall = log_odds([prior.effective_p_space, prior.effective_p_wall])
+    free, occupied = log_odds([p_free, p_occupied])
+    faults = []
+    if lam * space >= free - TIE:
+        what = "says nothing" if lam * space <= free + TIE else "makes space less free"
+        faults.append(
+            f"the effective p_space {prior.effective_p_space:.3g} must lie below the p_free {p_free:g} of the sensor "
+            f"(eq. 2.22): each free look {what}"
+        )
+    if lam * wall <= occupied + TIE:
+        what = "says nothing" if lam * wall >= occupied - TIE else "makes walls less of a wall"
+        faults.append(
+            f"the effective p_wall {prior.effective_p_wall:.3g} must lie above the p_occupied {p_occupied:g} of the sensor "
+            f"(eq. 2.22): each wall look {what}"
+        )
+    return "; ".join(faults) or None
+
+
+def warn_when_overruled(prior: Prior | None, p_free: float, p_occupied: float, lam: float, stacklevel: int = 3) -> None:
+    """Warn, in one sentence with the numbers, when prior and sensor meet and the prior breaks eq. 2.22."""
+    sentence = prior and overruled_readings(prior, p_free, p_occupied, lam)
+    if sentence:
+        warnings.warn(sentence, OverruledSensorWarning, stacklevel=stacklevel)
