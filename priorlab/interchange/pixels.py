@@ -28,7 +28,7 @@ _BAND = 512
 
 
 def read_pixels(path: Path) -> NDArray[np.uint8]:
-    """The image as it should be seen: (height, width) grey or (height, width, 3) RGB.
+    """The drawing as it should be seen: (height, width) grey or (height, width, 3) RGB.
 
     The size is taken from the header, before anything is decoded. Transparent parts show white paper. The rotation
     that a camera noted (EXIF) is applied.
@@ -40,37 +40,9 @@ def read_pixels(path: Path) -> NDArray[np.uint8]:
     ValueError
         When it is a folder, empty, not a PNG, JPEG, BMP or TIFF, broken, too large or too small.
     """
-    if not path.exists():
-        raise FileNotFoundError(f"the drawing must be a file, found nothing at {path}")
-    if not path.is_file():
-        raise ValueError(f"the drawing must be a file, got the folder {path}")
-    if path.stat().st_size == 0:
-        raise ValueError(f"the drawing must be an image, got an empty file: {path}")
-    with path.open("rb") as stream, _pillow_on_our_terms():
-        try:
-            image = Image.open(stream, formats=FORMATS)
-        except _BROKEN:
-            raise ValueError(f"the drawing must be a whole {KINDS} image, got something else or a broken start: {path}") from None
-        _check_size(*image.size)
-        try:
-            image.load()
-            ImageOps.exif_transpose(image, in_place=True)
-        except _BROKEN as broken:
-            raise ValueError(f"the drawing must be a whole image, got a broken or cut-off file: {path} ({broken})") from None
-        return _to_8_bit(image, path)
-
-
-def _check_size(width: int, height: int) -> None:
-    """Say when the header promises too much or too little."""
-    if width * height > MAX_PIXELS:
-        limit, got = MAX_PIXELS // 10**6, width * height / 1e6
-        raise ValueError(f"the drawing must have at most {limit} megapixels, got {width} x {height} = {got:.1f} megapixels")
-    if min(width, height) < 2:
-        raise ValueError(f"the drawing must be at least 2 x 2 pixels, got {width} x {height}")
-
-
-def _to_8_bit(image: Image.Image, path: Path) -> NDArray[np.uint8]:
-    """Grey or RGB, 8 bits, from any of Pillow's modes."""
+    image = open_image(path, "the drawing", FORMATS)
+    if min(image.size) < 2:
+        raise ValueError(f"the drawing must be at least 2 x 2 pixels, got {image.size[0]} x {image.size[1]}")
     if image.mode.startswith("I;16"):
         deep = np.asarray(image)
         grey = ((deep.astype(np.uint32) + 128) // 257).astype(np.uint8)  # 65535 -> 255, rounded
@@ -82,6 +54,32 @@ def _to_8_bit(image: Image.Image, path: Path) -> NDArray[np.uint8]:
     if image.has_transparency_data:
         return _over_white(image)
     return np.asarray(image if image.mode == "L" else image.convert("L" if image.mode == "1" else "RGB"))
+
+
+def open_image(path: Path, what: str, formats: tuple[str, ...]) -> Image.Image:
+    """A whole, upright Pillow image of one of Pillow's `formats`; sentences call it `what` ("the drawing")."""
+    if not path.exists():
+        raise FileNotFoundError(f"{what} must be a file, found nothing at {path}")
+    if not path.is_file():
+        raise ValueError(f"{what} must be a file, got the folder {path}")
+    if path.stat().st_size == 0:
+        raise ValueError(f"{what} must be an image, got an empty file: {path}")
+    with path.open("rb") as stream, _pillow_on_our_terms():
+        try:
+            image = Image.open(stream, formats=formats)
+        except _BROKEN:
+            kinds = f"{', '.join(formats[:-1])} or {formats[-1]}"
+            raise ValueError(f"{what} must be a whole {kinds} image, got something else or a broken start: {path}") from None
+        width, height = image.size
+        if width * height > MAX_PIXELS:
+            limit, got = MAX_PIXELS // 10**6, width * height / 1e6
+            raise ValueError(f"{what} must have at most {limit} megapixels, got {width} x {height} = {got:.1f} megapixels")
+        try:
+            image.load()
+            ImageOps.exif_transpose(image, in_place=True)
+        except _BROKEN as broken:
+            raise ValueError(f"{what} must be a whole image, got a broken or cut-off file: {path} ({broken})") from None
+        return image
 
 
 def _over_white(image: Image.Image) -> NDArray[np.uint8]:

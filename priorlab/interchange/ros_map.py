@@ -1,0 +1,214 @@
+"""Maps as ROS keeps them: a yaml file and an image beside it (map_server, nav2).
+
+ROS counts OCCUPANCY in percent, -1 = unknown; ours is P(empty). Only here, at the border, one becomes the other. Image
+row 0 is the top, as in our arrays, so no row is flipped. Written and read by the rules of nav2's loader; no robot was
+asked.
+"""
+
+from __future__ import annotations
+
+import os
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.checks import check_probability
+from priorlab.core.drawing import Walls
+from priorlab.core.files import check_free, write_file
+from priorlab.core.grid import Grid
+from priorlab.core.grid_map import GridMap
+from priorlab.core.log_odds import log_odds
+from priorlab.interchange.pixels import open_image
+from priorlab.interchange.ros_yaml import RosYaml, read_ros_yaml
+
+Mode = Literal["trinary", "scale", "raw"]
+
+OCCUPIED_THRESH, FREE_THRESH = 0.65, 0.196
+"""Occupancy above which ROS calls a cell occupied, and below which free. The grey 205 of "unknown" is 50/255 = 0.19608:
+with a looser free threshold every unknown cell would become free."""
+
+UNKNOWN = -1
+_IMAGES = ("PPM", "PNG", "BMP", "TIFF", "JPEG")
+
+
+@dataclass(frozen=True, eq=False)
+class RosMap:
+    """A map as a ROS node would hold it.
+
+    Parameters
+    ----------
+    occupancy : (rows, cols) int8 percent, 0 free to 100 occupied, -1 unknown; row 0 at the TOP, as in the image
+    grid : cells of one pixel with ROS's resolution as their metres per pixel
+    origin : x, y (metres) and yaw (radians) of the lower left corner in the frame of the robot's map
+    mode : how it was stored
+    """
+
+    occupancy: NDArray[np.int8]
+    grid: Grid
+    origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    mode: Mode = "trinary"
+
+    @property
+    def data(self) -> NDArray[np.int8]:
+        """The cells in the order of the message nav_msgs/OccupancyGrid: row by row from the BOTTOM."""
+        return self.grid.to_ros(self.occupancy).ravel()
+
+    @property
+    def p_empty(self) -> NDArray[np.float64]:
+        """(rows, cols) P(empty) = 1 - occupancy; unknown is 0.5."""
+        return np.where(self.occupancy == UNKNOWN, 0.5, 1.0 - self.occupancy / 100.0)
+
+    def to_map(self, least: float = 0.01) -> GridMap:
+        """A map to go on with: percents 0 and 100 become `least` and 1 - `least`, for no cell of ours is certain."""
+        check_probability("least", least)
+        return GridMap(log_odds(self.p_empty.clip(least, 1 - least)), self.grid)
+
+    def __repr__(self) -> str:
+        rows, cols = self.occupancy.shape
+        known = 100 * (self.occupancy != UNKNOWN).mean()
+        return f"RosMap({cols} x {rows} cells of {self.grid.scale:g} m, {known:.0f} % known, {self.mode})"
+
+
+def write_ros_map(
+    path: str | os.PathLike[str],
+    grid_map: GridMap | Walls,
+    mode: Mode = "trinary",
+    origin: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    image_format: Literal["pgm", "png"] = "pgm",
+    force: bool = False,
+) -> Path:
+    """Write a map for ROS: `path` (.yaml) and an image of the same name beside it.
+
+    "trinary": 0 occupied, 205 unknown, 254 free, by occupancy 1 - P(empty) above 0.65 and below 0.196. "scale": grey =
+    255 P(empty), with thresholds 1 and 0 so that every percent survives. "raw": the percents of occupancy themselves.
+
+    Parameters
+    ----------
+    path : the yaml file
+    grid_map : a map, or extracted walls (wall = occupied, all else free)
+    mode : see above
+    origin : x, y (metres) and yaw (radians) of the drawing's lower left corner in the robot's frame
+    image_format : both hold every value
+    force : replace what stands there
+
+    Returns
+    -------
+    The yaml file's path
+
+    Raises
+    ------
+    FileExistsError
+        When one of the two files is there already.
+    ValueError
+        When the scale is not known.
+
+    Warns
+    -----
+    UserWarning
+        When trinary turns most of the space into unknown: a cell is free only above P(empty) = 0.804.
+    """
+    if mode not in ("trinary", "scale", "raw"):
+        raise ValueError(f"mode must be 'trinary', 'scale' or 'raw', got {mode!r}")
+    if image_format not in ("pgm", "png"):
+        raise ValueError(f"image_format must be 'pgm' or 'png', got {image_format!r}")
+    path = Path(path)
+    if path.suffix not in (".yaml", ".yml"):
+        raise ValueError(f"a ROS map's path must end in .yaml, got {path}")
+    if isinstance(grid_map, Walls):
+        grid, p_empty = Grid(grid_map.shape, 1, grid_map.metres_per_pixel), (~grid_map.mask).astype(np.float64)
+    else:
+        grid, p_empty = grid_map.grid, grid_map.p_empty
+    thresholds = (1.0, 0.0) if mode == "scale" else (OCCUPIED_THRESH, FREE_THRESH)
+    image_path = path.with_suffix(f".{image_format}")
+    description = RosYaml(image_path.name, grid.cell_size_m, origin, *thresholds, negate=False, mode=mode)
+    for place in (path, image_path):
+        check_free(place, force)
+    if mode == "trinary":
+        _warn_when_space_is_lost(p_empty)
+    write_file(image_path, _encode(_GREY[mode](p_empty), image_format))
+    write_file(path, description.to_text())
+    return path
+
+
+def read_ros_map(path: str | os.PathLike[str]) -> RosMap:
+    """Read a ROS map from its yaml file; the image's path is relative to it (pgm, png, bmp, tiff or jpeg).
+
+    Raises
+    ------
+    FileNotFoundError
+        When the yaml file or the image is missing.
+    ValueError
+        When the yaml is broken, a value is missing or out of range, or the image cannot be read.
+    """
+    path = Path(path)
+    description = read_ros_yaml(path)
+    channels = _read_channels(path.parent / description.image)
+    rows, cols = channels.shape[:2]
+    return RosMap(
+        _occupancy(channels, description), Grid((rows, cols), 1, description.resolution), description.origin, description.mode
+    )
+
+
+def _occupancy(channels: NDArray[np.float64], description: RosYaml) -> NDArray[np.int8]:
+    """Percent of every cell by nav2's rules, from (rows, cols, 3 colours and perhaps alpha)."""
+    with_alpha = description.mode == "trinary"  # nav2 averages alpha with the colours in this mode
+    shade = channels[..., : None if with_alpha else 3].mean(axis=2)
+    if description.mode == "raw":
+        percent = np.floor(shade * 255 + 0.5)
+        return np.where(percent <= 100, percent, UNKNOWN).astype(np.int8)
+    occupied = shade if description.negate else 1.0 - shade
+    between = np.full(shade.shape, float(UNKNOWN))
+    if description.mode == "scale":
+        span = description.occupied_thresh - description.free_thresh
+        between = np.rint((occupied - description.free_thresh) / span * 100)
+    percent = np.where(occupied > description.occupied_thresh, 100, np.where(occupied < description.free_thresh, 0, between))
+    if description.mode == "scale" and channels.shape[2] == 4:
+        percent[channels[..., 3] < 1] = UNKNOWN
+    return percent.astype(np.int8)
+
+
+def _read_channels(path: Path) -> NDArray[np.float64]:
+    """(rows, cols, 3 or 4) red, green, blue and, when the image has it, alpha; 0 to 1."""
+    image = open_image(path, "the map's image", _IMAGES)
+    if image.mode.startswith("I"):
+        return np.repeat(np.asarray(image, dtype=np.float64)[..., None] / 65535, 3, axis=2)
+    return np.asarray(image.convert("RGBA" if image.has_transparency_data else "RGB"), dtype=np.float64) / 255
+
+
+def _trinary(p_empty: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """0 occupied, 254 free, 205 unknown."""
+    occupied = 1.0 - p_empty
+    return np.where(occupied > OCCUPIED_THRESH, 0, np.where(occupied < FREE_THRESH, 254, 205)).astype(np.uint8)
+
+
+_GREY = {
+    "trinary": _trinary,
+    "scale": lambda p_empty: np.rint(255 * p_empty).astype(np.uint8),
+    "raw": lambda p_empty: np.rint(100 * (1.0 - p_empty)).astype(np.uint8),
+}
+
+
+def _warn_when_space_is_lost(p_empty: NDArray[np.float64]) -> None:
+    """Say when most cells that are likelier empty than not become unknown."""
+    space = p_empty > 0.5
+    lost = space & (1.0 - p_empty >= FREE_THRESH)
+    if 2 * np.count_nonzero(lost) > np.count_nonzero(space):
+        share = 100 * np.count_nonzero(lost) / np.count_nonzero(space)
+        warnings.warn(
+            f"trinary calls a cell free only above P(empty) = {1 - FREE_THRESH:.3f}: {share:.0f} % of the space becomes unknown "
+            "to the robot; use mode='scale', or export the walls themselves",
+            stacklevel=3,
+        )
+
+
+def _encode(grey: NDArray[np.uint8], image_format: str) -> bytes:
+    """The image file's bytes."""
+    ok, data = cv2.imencode(f".{image_format}", grey)
+    if not ok:
+        raise ValueError(f"the map of shape {grey.shape} could not be encoded as {image_format}")
+    return data.tobytes()
