@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -133,10 +134,14 @@ class Grid:
         # a running sum, differenced at the cells' borders: two passes at any cell size, empty cells are 0
         rows = np.searchsorted(self.row_of_pixel, np.arange(self.shape[0] + 1))
         cols = np.searchsorted(self.col_of_pixel, np.arange(self.shape[1] + 1))
-        total = np.zeros((image.shape[0] + 1, image.shape[1] + 1), dtype=np.int64)
-        np.cumsum(image, axis=0, dtype=np.int64, out=total[1:, 1:])
-        np.cumsum(total[1:, 1:], axis=1, out=total[1:, 1:])
-        return np.diff(np.diff(total[np.ix_(rows, cols)], axis=0), axis=1)
+        if image.dtype == bool:  # a tenth of the time, which a slider feels; at most 200 million pixels fit int32
+            total = cv2.integral(np.ascontiguousarray(image).view(np.uint8))
+        else:
+            total = np.zeros((image.shape[0] + 1, image.shape[1] + 1), dtype=np.int64)
+            np.cumsum(image, axis=0, dtype=np.int64, out=total[1:, 1:])
+            np.cumsum(total[1:, 1:], axis=1, out=total[1:, 1:])
+        at_borders = total[np.ix_(rows, cols)].astype(np.int64)
+        return at_borders[1:, 1:] - at_borders[:-1, 1:] - at_borders[1:, :-1] + at_borders[:-1, :-1]
 
     def any_in_cells(self, mask: ArrayLike) -> NDArray[np.bool_]:
         """True for a cell when any of its pixels is set, or the pixel that holds its centre (cells below a pixel)."""
