@@ -103,6 +103,16 @@ class Grid:
         """x, y in metres as x, y in pixels; poses (..., 3) keep their heading."""
         return _scaled(xy_m, 1.0 / self.scale)
 
+    @property
+    def metres_to_cells(self) -> NDArray[np.float64]:
+        """(2, 3) matrix A with (col, row) = A (x, y, 1): metres to cells, whole numbers at the cells' centres, as cv2 has it.
+
+        >>> Grid((6, 9), cell_size=3, metres_per_pixel=0.1).metres_to_cells.round(3).tolist()
+        [[3.333, 0.0, -0.5], [0.0, -3.333, 1.5]]
+        """
+        per_metre = 1.0 / self.cell_size_m
+        return np.array([[per_metre, 0.0, -0.5], [0.0, -per_metre, self.shape[0] - 0.5]])
+
     def contains(self, xy: ArrayLike) -> NDArray[np.bool_]:
         """True for (..., 2) points x, y (pixels) on the drawing."""
         x, y = np.moveaxis(np.asarray(xy, dtype=np.float64)[..., :2], -1, 0)

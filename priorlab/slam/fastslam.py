@@ -1,0 +1,114 @@
+"""Algorithm 6.1: occupancy grid FastSLAM. Localize in the map, update the map from where the robot seems to be, go on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+
+from priorlab.core.grid_map import GridMap
+from priorlab.core.readings import RobotLog
+from priorlab.core.shipped import nearest_name
+from priorlab.mapping.overruled import warn_when_overruled
+from priorlab.slam.likelihood_field import LikelihoodField
+from priorlab.slam.localization import localise
+from priorlab.slam.map_update import see_cells, update_seen
+from priorlab.slam.measurement import share_explained
+from priorlab.slam.parameters import TUNED, Parameters
+from priorlab.slam.particles import start_particles
+from priorlab.slam.recording import Recorder, Run
+from priorlab.slam.scan import choose_beams
+
+
+class FastSLAM:
+    """Occupancy grid FastSLAM with one map that all particles share, updated from the best estimate (thesis 6.4).
+
+    Parameters
+    ----------
+    parameters : the numbers of the method; `TUNED` works, `TABLE_6_1` is as printed
+    changes : single parameters by name
+
+    >>> FastSLAM(temper=0.1).parameters.temper
+    0.1
+    """
+
+    def __init__(self, parameters: Parameters = TUNED, **changes: Any) -> None:
+        known = sorted(field.name for field in fields(Parameters))
+        for name in changes:
+            nearest_name("parameter", name, known)
+        self.parameters = replace(parameters, **changes)
+
+    def __repr__(self) -> str:
+        preset = {field.name: field.default for field in fields(Parameters)}
+        changed = ", ".join(f"{name}={value!r}" for name, value in vars(self.parameters).items() if value != preset[name])
+        return f"FastSLAM(TUNED{', ' if changed else ''}{changed})"
+
+    def run(
+        self,
+        prior_map: GridMap,
+        log: RobotLog,
+        rng: np.random.Generator,
+        progress: Callable[[int, int], None] | None = None,
+    ) -> Run:
+        """Drive through a log once.
+
+        Parameters
+        ----------
+        prior_map : m_0 on a grid that knows its scale; it starts the map, and the robot localizes by its walls
+        log : odometry and scans, metres; the robot starts at `log.start`
+        rng : for the motion of the particles and their draws
+        progress : called with the steps done and the steps to do
+
+        Returns
+        -------
+        Run, the record of all steps; `.map` is m_T
+
+        Raises
+        ------
+        ValueError
+            When the log is empty, when it starts off the map or in a wall, when the map has no scale or holds no wall.
+
+        Warns
+        -----
+        OverruledSensorWarning
+            When the prior is surer than the sensor (eq. 2.22).
+        """
+        parameters, grid = self.parameters, prior_map.grid
+        plan = LikelihoodField.of(prior_map, parameters)
+        _check_start(plan, prior_map, log)
+        warn_when_overruled(prior_map.prior, parameters.p_free, parameters.p_occupied, parameters.lam)
+
+        updated = parameters.localize_in == "updated"
+        field = plan.copy() if updated else plan
+        log_odds_map = prior_map.log_odds.copy()  # the one thing that changes in place
+        particles = start_particles(log.start, parameters.particle_limits[1], parameters.start_variances, rng)
+        recorder = Recorder()
+        for k in range(len(log)):
+            scan = choose_beams(log, k, parameters)
+            before, after = log.odometry[max(k - 1, 0)], log.odometry[k]
+            resample_now = (k + 1) % parameters.resampling_interval == 0
+            here = localise(particles, before, after, scan, field, rng, parameters, resample_now)  # algorithm 6.2
+            seen = see_cells(grid, here.pose, scan, parameters)
+            update_seen(log_odds_map, prior_map.log_odds, seen, parameters)  # algorithm 6.5
+            if updated:
+                field.refresh(log_odds_map, seen.rows, seen.cols)
+            particles = here.particles
+            recorder.add(here, share_explained(here.pose, scan, plan))
+            if progress:
+                progress(k + 1, len(log))
+        return recorder.finish(prior_map, log, parameters, GridMap(log_odds_map, grid, prior_map.prior))
+
+
+def _check_start(plan: LikelihoodField, prior_map: GridMap, log: RobotLog) -> None:
+    """A drive needs steps, and a robot cannot start off the map or in a wall."""
+    if len(log) == 0:
+        raise ValueError("the log must hold at least one scan, got 0")
+    grid, (x, y, _) = prior_map.grid, log.start
+    width_m, height_m = grid.image_shape[1] * grid.scale, grid.image_shape[0] * grid.scale
+    if not grid.contains(grid.metres_to_xy(log.start[:2])):
+        raise ValueError(f"start must lie on the map of {width_m:.2f} x {height_m:.2f} m, got x {x:g}, y {y:g} m")
+    row, col = grid.xy_to_cell(grid.metres_to_xy(log.start[:2]))
+    if plan.occupied(prior_map.log_odds)[row, col]:
+        raise ValueError(f"start must lie in free space, got x {x:g}, y {y:g} m, where the map shows a wall")

@@ -1,0 +1,54 @@
+"""When is a robot lost? A lost robot still draws a map, and a gain over it means nothing: every figure asks this first."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.pose import relative
+from priorlab.core.readings import RobotLog
+from priorlab.slam.trajectory_error import position_errors_m
+
+LOST_M = 1.0
+"""A robot this far from the truth, or whose estimate leaps this far against its wheels, is lost: it may be in the next room."""
+
+WINDOW_STEPS = 30
+LEAST_EXPLAINED = 0.35
+"""Over any 30 steps the plan's walls explain 60 to 100 % of the beams of a robot that knows where it is, even among furniture."""
+
+
+def lost_because(trajectory: NDArray[np.float64], explained: NDArray[np.float64], log: RobotLog) -> str | None:
+    """A sentence when a run got lost, None when it did not.
+
+    Three signs, the last two without knowing the truth: the estimate is far from the true pose; it leaps where the wheels say
+    that the robot hardly moved; the walls of the plan explain few of the beams for a while.
+
+    Parameters
+    ----------
+    trajectory : (T, 3) estimated poses, metres
+    explained : (T,) share of the beams that end at a wall of the plan; nan without a beam
+    log : the drive
+    """
+    if log.truth is not None:
+        errors = position_errors_m(trajectory, log.truth)
+        if errors.max() > LOST_M:
+            step = int(np.argmax(errors > LOST_M))
+            return (
+                f"the estimate left the true position by more than {LOST_M:g} m at step {step}, by {errors.max():.1f} m at worst"
+            )
+    if len(trajectory) > 1:
+        told, moved = (relative(poses[:-1], poses[1:]) for poses in (log.odometry, trajectory))
+        leaps = np.hypot(*(moved - told)[:, :2].T)
+        if leaps.max() > LOST_M:
+            return f"the estimate leapt {leaps.max():.1f} m against the wheels at step {int(leaps.argmax()) + 1}"
+    beams = np.isfinite(explained)
+    window = np.ones(min(WINDOW_STEPS, len(explained)))
+    n_scans = np.convolve(beams, window, "valid")
+    share = np.convolve(np.where(beams, explained, 0.0), window, "valid") / np.maximum(n_scans, 1)
+    share[n_scans < len(window) / 2] = 1.0  # too few scans to say anything
+    if share.min() < LEAST_EXPLAINED:
+        first = int(share.argmin())
+        return (
+            f"the plan's walls explain only {100 * share.min():.0f} % of the beams in steps {first} to {first + len(window) - 1}"
+        )
+    return None

@@ -1,0 +1,66 @@
+"""Algorithm 6.4: how well every particle explains a scan."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.slam.likelihood_field import LikelihoodField, log_likelihood_of
+from priorlab.slam.scan import Scan
+
+_AT_MOST_ROWS = 32_000  # cv2.remap counts in 16 bits
+
+
+def beam_log_likelihoods(poses: NDArray[np.float64], scan: Scan, field: LikelihoodField) -> NDArray[np.float32]:
+    """(N, B) log likelihood of every beam, would the robot stand at each of the (N, 3) `poses`.
+
+    A beam ends at x + x_b cos(theta) - y_b sin(theta), y + y_b cos(theta) + x_b sin(theta), where (x_b, y_b) is its end in the
+    robot's frame (the printed y line has a cosine for a sine). In cells, that is one (N, 3) x (3, B) product per axis.
+    """
+    (col_x, col_y, col_1), (row_x, row_y, row_1) = field.grid.metres_to_cells
+    x, y, theta = poses.T
+    cos, sin = np.cos(theta), np.sin(theta)
+    ends = np.vstack([scan.points.T, np.ones(len(scan))]).astype(np.float32)  # (3, B)
+    cols = np.column_stack([col_x * cos + col_y * sin, col_y * cos - col_x * sin, col_x * x + col_y * y + col_1])
+    rows = np.column_stack([row_x * cos + row_y * sin, row_y * cos - row_x * sin, row_x * x + row_y * y + row_1])
+    fits = cv2.remap(
+        field.image,
+        cols.astype(np.float32) @ ends,
+        rows.astype(np.float32) @ ends,
+        cv2.INTER_NEAREST,
+        borderMode=cv2.BORDER_CONSTANT,
+        borderValue=field.far,
+    )
+    return np.asarray(fits, dtype=np.float32)
+
+
+def log_weights(poses: NDArray[np.float64], scan: Scan, field: LikelihoodField) -> NDArray[np.float64]:
+    """Log of the weight of every pose: temper times the sum over the beams of the logarithms of algorithm 6.4.
+
+    The product q of 60 factors becomes a sum of logarithms, which cannot underflow. An end off the map counts as far from
+    every obstacle, so particles that all left the map get equal weights. A scan without a return says nothing: zeros.
+
+    Parameters
+    ----------
+    poses : (N, 3) particles x, y, theta; metres
+    scan : the beams that returned
+    field : of the map; its `parameters.temper` is the exponent
+
+    Returns
+    -------
+    (N,) finite numbers
+    """
+    if len(scan) == 0:
+        return np.zeros(len(poses))
+    chunks = [poses[start : start + _AT_MOST_ROWS] for start in range(0, len(poses), _AT_MOST_ROWS)]
+    sums = [beam_log_likelihoods(chunk, scan, field).sum(axis=1, dtype=np.float64) for chunk in chunks]
+    return field.parameters.temper * np.concatenate(sums)
+
+
+def share_explained(pose: NDArray[np.float64], scan: Scan, field: LikelihoodField) -> float:
+    """Share of a scan's beams that end within two sigma_hit of an obstacle, seen from one pose; nan without a beam."""
+    if len(scan) == 0:
+        return float("nan")
+    close = log_likelihood_of(np.array(2 * field.parameters.sigma_hit_m), field.parameters)
+    return float((beam_log_likelihoods(pose[None], scan, field) >= close).mean())

@@ -1,0 +1,62 @@
+"""One scan as the filter uses it: the beams that returned, thinned to the number that weighs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.readings import RobotLog
+from priorlab.slam.parameters import Parameters
+
+
+@dataclass(frozen=True, eq=False)
+class Scan:
+    """The returns of one scan, metres and radians in the robot's frame.
+
+    Parameters
+    ----------
+    ranges, bearings : (B,) beams that met something
+    open_bearings : (C,) beams that met nothing within the range; they never weigh
+    offset : x, y of the scanner in the robot's frame
+    """
+
+    ranges: NDArray[np.float64]
+    bearings: NDArray[np.float64]
+    open_bearings: NDArray[np.float64]
+    offset: tuple[float, float] = (0.0, 0.0)
+
+    def __len__(self) -> int:
+        return len(self.ranges)
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """(B, 2) ends of the beams in the robot's frame."""
+        x, y = self.offset
+        return np.column_stack([x + self.ranges * np.cos(self.bearings), y + self.ranges * np.sin(self.bearings)])
+
+
+def choose_beams(log: RobotLog, step: int, parameters: Parameters) -> Scan:
+    """The beams of `log`'s scan number `step` that count.
+
+    nan is no reading; too near, too far and inf are no return (the test z != z_max of algorithm 6.4, with the sensor's range
+    for z_max). What is left is thinned evenly to `parameters.n_beams`: thinning first would leave too few.
+    """
+    ranges, bearings = log.ranges[step], log.bearings
+    farthest = min(parameters.max_range_m, log.scanner.max_range_m)
+    returned = np.flatnonzero((ranges >= log.scanner.min_range_m) & (ranges < farthest) & (ranges > 0))  # False for nan
+    open_beams = np.flatnonzero(ranges >= farthest)
+    return Scan(
+        ranges[_spread(returned, parameters.n_beams)],
+        bearings[_spread(returned, parameters.n_beams)],
+        bearings[_spread(open_beams, parameters.n_beams)],
+        parameters.sensor_offset_m,
+    )
+
+
+def _spread(indices: NDArray[np.int64], at_most: int) -> NDArray[np.int64]:
+    """At most `at_most` of the indices, evenly spread, the first and the last among them."""
+    if len(indices) <= at_most:
+        return indices
+    return indices[np.rint(np.linspace(0, len(indices) - 1, at_most)).astype(np.int64)]

@@ -1,0 +1,74 @@
+"""How far an estimated trajectory is from the true one.
+
+Nothing is aligned first: the estimate and the truth are both in the frame of the map, and being right in the map is what a
+prior is for. (Tools such as evo align by default, which forgives a constant offset; ask them not to.)
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from priorlab.core.checks import check_poses
+from priorlab.core.pose import compose, relative, wrap_angle
+from priorlab.core.readings import RobotLog
+
+
+def true_poses(log: RobotLog) -> NDArray[np.float64]:
+    """(T, 3) true poses of a log; a sentence when nobody knows them."""
+    if log.truth is None:
+        raise ValueError("the log must hold true poses to measure an error, got none: only simulated or surveyed drives do")
+    return log.truth
+
+
+def position_errors_m(estimated: ArrayLike, truth: ArrayLike) -> NDArray[np.float64]:
+    """(T,) distance between the estimated and the true position, metres.
+
+    >>> position_errors_m([[0, 0, 0], [3, 4, 0]], [[0, 0, 1], [0, 0, 1]]).tolist()
+    [0.0, 5.0]
+    """
+    estimated, truth = _paired(estimated, truth)
+    return np.hypot(*(estimated - truth)[:, :2].T)
+
+
+def absolute_trajectory_error_m(estimated: ArrayLike, truth: ArrayLike) -> float:
+    """ATE = sqrt(mean(distance^2)), metres, without alignment.
+
+    >>> absolute_trajectory_error_m([[0, 0, 0], [3, 4, 0]], [[0, 0, 0], [0, 0, 0]])
+    3.5355339059327378
+    """
+    return float(np.sqrt(np.mean(np.square(position_errors_m(estimated, truth)))))
+
+
+def heading_errors(estimated: ArrayLike, truth: ArrayLike) -> NDArray[np.float64]:
+    """(T,) signed difference of heading, estimated - true, radians in [-pi, pi)."""
+    estimated, truth = _paired(estimated, truth)
+    return wrap_angle(estimated[:, 2] - truth[:, 2])
+
+
+def relative_pose_error_m(estimated: ArrayLike, truth: ArrayLike, delta: int = 1) -> float:
+    """RPE = sqrt(mean(|translation of the error of every motion over `delta` steps|^2)), metres: drift, not position.
+
+    >>> still = np.zeros((3, 3))
+    >>> relative_pose_error_m(still, still + [7, 0, 0])              # a constant offset is no drift
+    0.0
+    """
+    estimated, truth = _paired(estimated, truth)
+    if not 1 <= delta < len(truth):
+        raise ValueError(f"delta must be at least 1 and below the {len(truth)} poses, got {delta}")
+    moved, truly_moved = (relative(poses[:-delta], poses[delta:]) for poses in (estimated, truth))
+    error = relative(truly_moved, moved)
+    return float(np.sqrt(np.mean(np.square(error[:, :2]).sum(axis=1))))
+
+
+def dead_reckoning(log: RobotLog) -> NDArray[np.float64]:
+    """(T, 3) where the robot would be by its wheels alone, from `log.start`: the baseline of every localization."""
+    return compose(log.start, relative(log.odometry[0], log.odometry))
+
+
+def _paired(estimated: ArrayLike, truth: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Both as (T, 3) poses of one length, T at least 1."""
+    estimated, truth = check_poses("estimated", estimated), check_poses("truth", truth)
+    if len(estimated) != len(truth) or len(truth) == 0:
+        raise ValueError(f"estimated and truth must hold the same poses, at least one, got {len(estimated)} and {len(truth)}")
+    return estimated, truth
