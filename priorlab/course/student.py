@@ -1,0 +1,61 @@
+"""Copies of the notebooks for students: nbgrader's own preprocessor takes the solutions out, a stub stays behind."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from priorlab.core.files import new_folder
+
+STUB = "answer = ..."
+"""Stands where a solution stood; `check` answers "not yet" to it, and the copy runs from top to bottom."""
+
+
+def clear_solutions(notebook: Any) -> Any:
+    """A copy of a notebook (nbformat node) without solutions and without outputs.
+
+    What lies between `### BEGIN SOLUTION` and `### END SOLUTION` becomes `answer = ...`; the cell's other lines stay.
+    """
+    import copy
+
+    from nbgrader.preprocessors import ClearSolutions
+    from traitlets.config import Config
+
+    config = Config()
+    config.ClearSolutions.code_stub = {"python": STUB}
+    config.ClearSolutions.enforce_metadata = False  # solutions are marked in the text alone; no grading database
+    cleared, _ = ClearSolutions(config=config).preprocess(copy.deepcopy(notebook), {})
+    for cell in cleared.cells:
+        if cell.cell_type == "code":
+            cell.outputs, cell.execution_count = [], None
+    return cleared
+
+
+def student_copy(source: str | Path, out: str | Path, force: bool = False) -> list[Path]:
+    """Write the student's copy of every notebook of a folder.
+
+    Parameters
+    ----------
+    source : folder with the teacher's notebooks
+    out : folder for the copies; it must not exist unless `force`
+
+    Returns
+    -------
+    The notebooks that were written, in the order of the course.
+
+    Raises
+    ------
+    FileExistsError
+        When `out` exists and `force` is not given.
+    ValueError
+        When `source` holds no notebook.
+    """
+    import nbformat
+
+    notebooks = sorted(Path(source).glob("*.ipynb"))
+    if not notebooks:
+        raise ValueError(f"the folder of the notebooks must hold at least one .ipynb, got {source}")
+    with new_folder(out, force) as folder:
+        for notebook in notebooks:
+            nbformat.write(clear_solutions(nbformat.read(notebook, as_version=4)), folder / notebook.name)
+    return [Path(out) / notebook.name for notebook in notebooks]
