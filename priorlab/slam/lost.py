@@ -33,9 +33,7 @@ def lost_because(trajectory: NDArray[np.float64], explained: NDArray[np.float64]
         errors = position_errors_m(trajectory, log.truth)
         if errors.max() > LOST_M:
             step = int(np.argmax(errors > LOST_M))
-            return (
-                f"the estimate left the true position by more than {LOST_M:g} m at step {step}, by {errors.max():.1f} m at worst"
-            )
+            return f"the estimate is more than {LOST_M:g} m off the true position from step {step}, at worst {errors.max():.1f} m"
     if len(trajectory) > 1:
         told, moved = (relative(poses[:-1], poses[1:]) for poses in (log.odometry, trajectory))
         leaps = np.hypot(*(moved - told)[:, :2].T)
@@ -47,8 +45,6 @@ def lost_because(trajectory: NDArray[np.float64], explained: NDArray[np.float64]
     share = np.convolve(np.where(beams, explained, 0.0), window, "valid") / np.maximum(n_scans, 1)
     share[n_scans < len(window) / 2] = 1.0  # too few scans to say anything
     if share.min() < LEAST_EXPLAINED:
-        first = int(share.argmin())
-        return (
-            f"the plan's walls explain only {100 * share.min():.0f} % of the beams in steps {first} to {first + len(window) - 1}"
-        )
+        first, percent = int(share.argmin()), 100 * share.min()
+        return f"the plan's walls explain only {percent:.0f} % of the beams in steps {first} to {first + len(window) - 1}"
     return None

@@ -100,9 +100,7 @@ class Parameters:
                 raise ValueError(f"{name} must be at least 1, got {getattr(self, name)}")
         fewest, most = (int(limit) for limit in self.particle_limits)
         if not 1 <= fewest <= most:
-            raise ValueError(
-                f"particle_limits must be fewest and most particles, 1 <= fewest <= most, got {self.particle_limits}"
-            )
+            raise ValueError(f"particle_limits must be the fewest, at least 1, and the most, got {self.particle_limits}")
         object.__setattr__(self, "particle_limits", (fewest, most))
         if not 0 < self.temper <= 1:
             raise ValueError(f"temper must lie in (0, 1], got {self.temper:g}")

@@ -61,8 +61,9 @@ def load_run(path: str | Path) -> Run:
     """
     if not Path(path).exists():
         raise FileNotFoundError(f"a run must lie at {path}, found nothing there")
+    content = Path(path).read_bytes()
     try:
-        with np.load(path, allow_pickle=False) as stored:
+        with np.load(io.BytesIO(content), allow_pickle=False) as stored:
             arrays = {name: stored[name] for name in stored.files}
         words = json.loads(str(arrays["words"]))
         if words["format"] != _FORMAT:

@@ -1,0 +1,128 @@
+"""A run's record: maps replayed at any step, another prior fed by the same poses, the npz file."""
+
+import numpy as np
+import pytest
+from conftest import prior_of
+
+from priorlab.core.grid_map import Prior
+from priorlab.core.readings import RobotLog
+from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.lost import lost_because
+from priorlab.slam.map_update import FREE, OCCUPIED, see_cells
+from priorlab.slam.run_file import load_run, save_run
+from priorlab.slam.scan import choose_beams
+
+
+@pytest.fixture(scope="module")
+def run(slam_prior, drive_log):
+    return FastSLAM().run(slam_prior, drive_log, np.random.default_rng(0))
+
+
+def counted_map(run, prior_map, n_steps):
+    """The closed form l = l_0 + S - n l_0 from counts of looks, no recursion."""
+    free, hits = np.zeros(prior_map.grid.shape), np.zeros(prior_map.grid.shape)
+    for k in range(n_steps):
+        scan = choose_beams(run.log, k, run.parameters)
+        seen = see_cells(prior_map.grid, run.trajectory[k], scan, run.parameters)
+        free[seen.rows, seen.cols] += seen.labels == FREE
+        hits[seen.rows, seen.cols] += seen.labels == OCCUPIED
+    return prior_map.log_odds + np.log(4) * (free - hits) - (free + hits) * prior_map.log_odds
+
+
+def test_at_replays_the_run_to_the_last_bit(run):
+    assert np.array_equal(run.at(-1).log_odds, run.map.log_odds)
+    assert np.array_equal(run.at(len(run) - 1).log_odds, run.map.log_odds)
+
+
+@pytest.mark.parametrize("step", [0, 1, 48, 49, 50, 99, 137, 269])
+def test_at_equals_the_closed_form_of_the_first_steps(run, slam_prior, step):
+    assert np.allclose(run.at(step).log_odds, counted_map(run, slam_prior, step + 1), atol=1e-9)
+
+
+def test_at_does_not_spoil_its_keyframes(run):
+    first = run.at(60).log_odds
+    run.at(60).log_odds[:] = 7.0
+    assert np.array_equal(run.at(60).log_odds, first)
+
+
+@pytest.mark.parametrize("step", [270, -271])
+def test_at_says_which_steps_there_are(run, step):
+    with pytest.raises(ValueError, match="step must lie between 0 and 269, got"):
+        run.at(step)
+
+
+def test_remap_feeds_another_prior_with_the_same_poses(run, floor):
+    assert np.array_equal(run.remap(run.prior_map).log_odds, run.map.log_odds)
+    nothing = prior_of(floor[0], Prior.uninformed())
+    without = run.remap(nothing)
+    assert np.allclose(without.log_odds, counted_map(run, nothing, len(run)), atol=1e-9)
+    assert without.prior.is_uninformed
+    coarse = run.remap(prior_of(floor[0], Prior(0.3, 0.8), cell_size=2))
+    assert coarse.log_odds.shape == (80, 140) and not np.array_equal(coarse.log_odds, coarse.log_odds * 0)
+
+
+def test_run_shows_itself(run):
+    assert len(run) == 270
+    assert repr(run).startswith("Run(270 steps, 1500 to 4500 particles, ATE 0.")
+    assert run.sample.shape == (270, 300, 3)
+    assert np.abs(run.sample[:, :, :2].mean(axis=1) - run.trajectory[:, :2]).max() < 0.15
+    assert run.rpe_m() < 0.05
+
+
+def test_run_file_brings_everything_back(run, tmp_path):
+    save_run(run, tmp_path / "drive.npz")
+    again = load_run(tmp_path / "drive.npz")
+    for name in ("trajectory", "n_particles", "ess", "sample", "explained"):
+        assert np.array_equal(getattr(again, name), getattr(run, name), equal_nan=True)
+    assert np.array_equal(again.map.log_odds, run.map.log_odds)
+    assert (again.parameters, again.prior_map.grid, again.prior_map.prior, again.log.scanner) == (
+        run.parameters,
+        run.prior_map.grid,
+        run.prior_map.prior,
+        run.log.scanner,
+    )
+    assert repr(again) == repr(run)
+    assert (tmp_path / "drive.npz").stat().st_size < 2_000_000
+
+
+def test_run_file_overwrites_nothing_unasked(run, tmp_path):
+    (tmp_path / "drive.npz").write_text("mine")
+    with pytest.raises(FileExistsError, match="exists already"):
+        save_run(run, tmp_path / "drive.npz")
+    assert (tmp_path / "drive.npz").read_text() == "mine"
+    save_run(run, tmp_path / "drive.npz", force=True)
+    assert len(load_run(tmp_path / "drive.npz")) == 270
+
+
+def test_run_file_says_what_it_cannot_read(run, tmp_path):
+    with pytest.raises(FileNotFoundError, match="a run must lie at"):
+        load_run(tmp_path / "none.npz")
+    save_run(run, tmp_path / "whole.npz")
+    content = (tmp_path / "whole.npz").read_bytes()
+    np.savez(tmp_path / "other.npz", x=1)
+    np.save(tmp_path / "array.npy", np.zeros(3))
+    for name, data in (("cut.npz", content[: len(content) // 2]), ("text.npz", b"hello"), ("empty.npz", b"")):
+        (tmp_path / name).write_bytes(data)
+    for name in ("cut.npz", "text.npz", "empty.npz", "other.npz", "array.npy"):
+        with pytest.raises(ValueError, match=f"{name} must be a run that priorlab saved"):
+            load_run(tmp_path / name)
+
+
+def test_lost_because_reads_three_signs(run, drive_log):
+    log, truth = drive_log, drive_log.truth
+    blind = RobotLog(log.odometry, log.ranges, log.bearings, log.scanner, log.start)
+    fine = np.full(len(log), 0.9)
+    assert lost_because(truth, fine, log) is None
+    astray = truth + np.where(np.arange(len(log)) < 100, 0.0, 1.5)[:, None] * [1, 0, 0]
+    assert lost_because(astray, fine, log) == "the estimate is more than 1 m off the true position from step 100, at worst 1.5 m"
+    assert lost_because(astray, fine, blind) == "the estimate leapt 1.5 m against the wheels at step 100"
+    worse = np.where((np.arange(len(log)) >= 50) & (np.arange(len(log)) < 90), 0.1, 0.9)
+    assert lost_because(truth, worse, blind).startswith("the plan's walls explain only 10 % of the beams in steps 50 to 79")
+    dark = np.where(np.arange(len(log)) < 200, np.nan, 0.9)
+    assert lost_because(truth, dark, blind) is None
+
+
+def test_lost_because_of_a_short_log(drive_log):
+    log = RobotLog(drive_log.odometry[:1], drive_log.ranges[:1], drive_log.bearings, drive_log.scanner, drive_log.start)
+    assert lost_because(log.odometry, np.array([0.9]), log) is None
+    assert lost_because(log.odometry, np.array([0.0]), log) is not None
