@@ -49,28 +49,33 @@ def _occupancy(rng: np.random.Generator, seed: int) -> Exercise:
 
 def _darkest(rng: np.random.Generator) -> Exercise:
     """Rows, columns and what dark means."""
-    p = rng.permutation(np.linspace(0.05, 0.95, 15)).reshape(3, 5)
-    at = np.unravel_index(int(p.argmin()), p.shape)
-    while at[0] == 1 or at[0] == at[1] or at == np.unravel_index(int(p.argmax()), p.shape):  # every mistake must show
-        p = rng.permutation(p.ravel()).reshape(3, 5)
-        at = np.unravel_index(int(p.argmin()), p.shape)
-    row, col = int(at[0]), int(at[1])
-    lightest = tuple(int(i) for i in np.unravel_index(int(p.argmax()), p.shape))
+    p, picks = _shuffled(rng)
+    while len(set(picks)) < len(picks):  # every mistake must show
+        p, picks = _shuffled(rng)
+    darkest, swapped, lightest, from_below, from_one = picks
     lines = "\n".join("  " + "  ".join(f"{value:.2f}" for value in line) for line in p)
     return Exercise(
         asks=f"A map's P(empty):\n{lines}\nWhich cell is most surely a wall? Answer (row, col), counted from 0.",
-        answer=lambda: (row, col),
+        answer=lambda: darkest,
         because="lowest P(empty), row 0 at the top, row before column.",
         mistakes=(
-            Mistake(lambda: (col, row), "row and column swapped: arrays are [row, col], the row first."),
+            Mistake(lambda: swapped, "row and column swapped: arrays are [row, col], the row first."),
             Mistake(lambda: lightest, "that is the EMPTIEST cell (convention flipped): a wall is low, dark."),
             Mistake(
-                lambda: (2 - row, col), "you counted rows from below: arrays have row 0 at the top; only x, y in the world go up."
+                lambda: from_below, "you counted rows from below: arrays have row 0 at the top; only x, y in the world go up."
             ),
-            Mistake(lambda: (row + 1, col + 1), "counted from 1; Python counts from 0."),
+            Mistake(lambda: from_one, "counted from 1; Python counts from 0."),
         ),
         hints=("wall = low, space = high.",),
     )
+
+
+def _shuffled(rng: np.random.Generator) -> tuple[np.ndarray, tuple[tuple[int, int], ...]]:
+    """A small map and five cells: the darkest, row and column swapped, the lightest, counted from below, counted from 1."""
+    p = rng.permutation(np.linspace(0.05, 0.95, 15)).reshape(3, 5)
+    row, col = (int(i) for i in np.unravel_index(p.argmin(), p.shape))
+    high_row, high_col = (int(i) for i in np.unravel_index(p.argmax(), p.shape))
+    return p, ((row, col), (col, row), (high_row, high_col), (len(p) - 1 - row, col), (row + 1, col + 1))
 
 
 def _f2(rng: np.random.Generator) -> Exercise:
@@ -83,7 +88,7 @@ def _f2(rng: np.random.Generator) -> Exercise:
         return (1 + weight) * pre * rec / (weight * pre + rec)
 
     return Exercise(
-        asks=f"{tp} wall pixels were found, {fn} missed; {fp} pixels are called wall and are none. What is F2, to three digits?",
+        asks=f"{tp} wall pixels were found, {fn} missed; {fp} are called wall and are none. What is F2, to three decimals?",
         answer=lambda: f_beta(precision, recall, 4.0),
         because="beta = 2 weighs recall more: a missed wall is worse for a robot than an invented one.",
         mistakes=(

@@ -64,7 +64,7 @@ def _one_cell(rng: np.random.Generator) -> Exercise:
     return Exercise(
         asks=(
             f"A cell starts at P(empty) = {p:g}. It is seen free {n_free} times and as wall {n_wall} time{'s' * (n_wall > 1)}; "
-            "the sensor model says 0.9 and 0.1, lam = 1.\nWhat is P(empty) now, to three digits?"
+            "the sensor model says 0.9 and 0.1, lam = 1.\nWhat is P(empty) now, to three decimals?"
         ),
         answer=lambda: _sigmoid(ends_at(1.0)),
         because="l0 + S - n l0, and back through eq. 4.21.",
@@ -118,13 +118,13 @@ def _closed_form() -> Exercise:
 
 def _flip(rng: np.random.Generator) -> Exercise:
     """The prior above which free readings make a wall."""
-    p_free = float(rng.choice([0.7, 0.75, 0.8]))
+    p_free = float(rng.choice([0.7, 0.8, 0.85]))
     looks = int(rng.integers(4, 8))
     total, edge = looks * _logit(p_free), _logit(0.2)
     return Exercise(
         asks=(
             f"A cell is seen free {looks} times; the sensor model calls that {p_free:g}, lam = 1.\n"
-            "Above which effective prior P(empty) does it nevertheless end as a detected WALL, P(empty) <= 0.2? Three digits."
+            "Above which effective prior P(empty) does it nevertheless end as a detected WALL, P(empty) <= 0.2? Three decimals."
         ),
         answer=lambda: _sigmoid((total - edge) / (looks - 1)),
         because="l = S - (n - 1) l0 falls when l0 rises: from there on, believing the cell emptier makes it a wall.",

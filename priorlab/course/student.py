@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import re
 from pathlib import Path
 from typing import Any
 
@@ -16,8 +18,6 @@ def clear_solutions(notebook: Any) -> Any:
 
     What lies between `### BEGIN SOLUTION` and `### END SOLUTION` becomes `answer = ...`; the cell's other lines stay.
     """
-    import copy
-
     from nbgrader.preprocessors import ClearSolutions
     from traitlets.config import Config
 
@@ -31,13 +31,14 @@ def clear_solutions(notebook: Any) -> Any:
     return cleared
 
 
-def student_copy(source: str | Path, out: str | Path, force: bool = False) -> list[Path]:
+def student_copy(source: str | Path, out: str | Path, force: bool = False, seed: int = 0) -> list[Path]:
     """Write the student's copy of every notebook of a folder.
 
     Parameters
     ----------
     source : folder with the teacher's notebooks
     out : folder for the copies; it must not exist unless `force`
+    seed : the student's own; it replaces the 0 in the line `SEED = 0` and so changes the numbers of the exercises
 
     Returns
     -------
@@ -57,5 +58,8 @@ def student_copy(source: str | Path, out: str | Path, force: bool = False) -> li
         raise ValueError(f"the folder of the notebooks must hold at least one .ipynb, got {source}")
     with new_folder(out, force) as folder:
         for notebook in notebooks:
-            nbformat.write(clear_solutions(nbformat.read(notebook, as_version=4)), folder / notebook.name)
+            copied = clear_solutions(nbformat.read(notebook, as_version=4))
+            for cell in copied.cells:
+                cell.source = re.sub(r"^SEED = 0\b", f"SEED = {seed:d}", cell.source, flags=re.MULTILINE)
+            nbformat.write(copied, folder / notebook.name)
     return [Path(out) / notebook.name for notebook in notebooks]
