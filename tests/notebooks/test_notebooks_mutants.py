@@ -1,0 +1,58 @@
+"""Wrong code turns a notebook red: a copy of priorlab with one planted mistake runs through strict nbval.
+
+Each mutant names the objective of the notebook whose printed number it breaks first.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import nbformat
+import pytest
+
+ROOT = Path(__file__).parents[2]
+MUTANTS = {
+    "log10 for ln": ("04_log_odds", "core/log_odds.py", "np.log(p / (1.0 - p))", "np.log10(p / (1.0 - p))", 1),
+    "l0 added in the recursion": ("04_log_odds", "mapping/recursion.py", "previous - lam * prior", "previous + lam * prior", 2),
+    "lam 0 by default": ("04_log_odds", "mapping/update.py", "lam: float = 1.0) -> GridMap", "lam: float = 0.0) -> GridMap", 2),
+    "l0 added in the closed form": (
+        "04_log_odds",
+        "mapping/update.py",
+        "l_0 + total - lam * looks",
+        "l_0 + total + lam * looks",
+        2,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MUTANTS)
+def test_notebook_goes_red(name, tmp_path):
+    stem, file, right, wrong, objective = MUTANTS[name]
+    shutil.copytree(ROOT / "priorlab", tmp_path / "priorlab", ignore=shutil.ignore_patterns("__pycache__"))
+    (tmp_path / "data").symlink_to(ROOT / "data")
+    patched = tmp_path / "priorlab" / file
+    source = patched.read_text()
+    assert source.count(right) == 1, f"the mutant {name!r} no longer fits {file}"
+    patched.write_text(source.replace(right, wrong))
+    shutil.copy(ROOT / "notebooks" / f"{stem}.ipynb", tmp_path)
+
+    run = subprocess.run(
+        [sys.executable, "-m", "pytest", "-x", "-q", "--color=no", "-p", "no:cacheprovider", "--rootdir", str(tmp_path)]
+        + ["--nbval", "--nbval-current-env", "--nbval-cell-timeout=120", f"{stem}.ipynb"],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(tmp_path)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert run.returncode == 1, run.stdout
+    assert "Traceback" not in run.stdout, run.stdout
+    red = int(re.search(r"FAILED .*::Cell (\d+)", run.stdout).group(1))
+    code = [cell for cell in nbformat.read(tmp_path / f"{stem}.ipynb", as_version=4).cells if cell.cell_type == "code"]
+    assert f"objective-{objective}" in code[red].metadata.get("tags", []), (red, code[red].source)

@@ -1,0 +1,88 @@
+"""Pictures with words, sliders with names, labs that move as a whole."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from priorlab.widgets.lab import Lab
+from priorlab.widgets.picture import Picture
+from priorlab.widgets.sliders import Slider
+
+
+class Doubling(Lab):
+    """The smallest lab: one number, twice as large."""
+
+    def __init__(self):
+        self.refreshed = 0
+        self.x = Slider("x", 1, 0, 10, 1)
+        self.y = Slider("y", 1, 0, 10, 1)
+        super().__init__({"x": self.x, "y": self.y}, {"high": {"x": 9, "y": 8}}, [Picture()])
+
+    def refresh(self):
+        self.refreshed += 1
+        self.double = 2 * self.x.value
+        self.pictures[0].show(np.full((2, 2), 10 * int(self.x.value), dtype=np.uint8), f"twice {self.x.value:g}")
+
+    def summary(self):
+        return f"{self.double:g}"
+
+
+def test_picture_show_holds_the_very_pixels_and_the_words():
+    picture, pixels = Picture(), np.arange(12, dtype=np.uint8).reshape(3, 4)
+    picture.show(pixels, "twelve greys")
+    back = cv2.imdecode(np.frombuffer(picture.image, np.uint8), cv2.IMREAD_GRAYSCALE)
+    assert (back == pixels).all() and picture.alt == "twelve greys" and picture.mime == "image/png"
+
+
+def test_picture_shows_alt_text_sharp_pixels_in_the_browser():
+    assert 'img.alt = model.get("alt")' in Picture._esm and "image-rendering: pixelated" in Picture._css
+
+
+def test_slider_names_itself_for_screen_readers_and_keeps_its_keys():
+    assert 'setAttribute("aria-label", model.get("label"))' in Slider._esm
+    assert "aria-valuetext" in Slider._esm and "data-lm-suppress-shortcuts" in Slider._esm
+
+
+def test_slider_outside_its_range_is_told_and_does_not_move():
+    slider = Slider("p_wall", 0.2, 0.05, 1.0, 0.01)
+    with pytest.raises(ValueError, match="p_wall must lie between 0.05 and 1, got -0.2"):
+        slider.value = -0.2
+    assert slider.value == 0.2
+
+
+def test_lab_moving_a_slider_refreshes_at_once():
+    lab = Doubling()
+    lab.x.value = 4
+    assert lab.double == 8 and lab.pictures[0].alt == "twice 4" and repr(lab) == "Doubling(8)"
+
+
+def test_lab_set_refreshes_once_and_presets_and_reset_work():
+    lab = Doubling()
+    before = lab.refreshed
+    lab.set(x=3, y=5)
+    assert lab.refreshed == before + 1
+    lab.buttons["high"].click()
+    assert (lab.x.value, lab.y.value, lab.double) == (9, 8, 18)
+    lab.buttons["reset"].click()
+    assert (lab.x.value, lab.y.value, lab.double) == (1, 1, 2)
+
+
+def test_lab_set_unknown_slider_is_told():
+    with pytest.raises(ValueError, match="a slider must be one of x, y, got 'z'"):
+        Doubling().set(z=1)
+
+
+def test_lab_set_bad_value_leaves_it_usable():
+    lab = Doubling()
+    with pytest.raises(ValueError, match="x must lie between 0 and 10"):
+        lab.set(x=11)
+    lab.x.value = 2
+    assert lab.double == 4
+
+
+def test_lab_without_a_kernel_shows_a_picture_and_a_line():
+    bundle = Doubling()._repr_mimebundle_()
+    assert bundle["text/plain"] == "Doubling(2)"
+    assert bundle["image/png"].startswith("iVBOR")
