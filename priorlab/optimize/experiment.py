@@ -66,10 +66,10 @@ class Experiment:
 
     @cached_property
     def pixels(self) -> NDArray[np.int64]:
-        """(rows, cols, 2) counted true-wall pixels and counted empty pixels of every cell; don't-care is in neither."""
+        """(2, rows, cols) counted true-wall pixels and counted empty pixels of every cell; don't-care is in neither."""
         counted, grid = ~self.truth.ignore, self.evidence.grid
         everything, positive = grid.sum_in_cells(counted), grid.sum_in_cells(self.truth.walls & counted)
-        return np.stack([positive, everything - positive], axis=-1)
+        return np.stack([positive, everything - positive])
 
     def map(self, prior: Prior) -> GridMap:
         """The posterior map for one prior."""
@@ -84,12 +84,8 @@ class Experiment:
     def sweep(self) -> Sweep:
         """Every prior at once, exactly: one sort of the cells, then look-ups."""
         slope = self.lam * self.evidence.looks.astype(np.float64) - 1.0
-        threshold = float(log_odds(self.threshold))
-        wall, space = (
-            Steps.of_cells(self.evidence.total[cells], slope[cells], self.pixels[cells], threshold)
-            for cells in (self.wall_cells, ~self.wall_cells)
-        )
-        positives, negatives = (int(count) for count in self.pixels.sum(axis=(0, 1)))
+        wall, space = (self._steps(cells, slope) for cells in (self.wall_cells, ~self.wall_cells))
+        positives, negatives = (int(count) for count in self.pixels.sum(axis=(1, 2)))
         return Sweep(
             wall=wall,
             space=space,
@@ -102,6 +98,12 @@ class Experiment:
             total=self.evidence.total,
             slope=slope,
         )
+
+    def _steps(self, cells: NDArray[np.bool_], slope: NDArray[np.float64]) -> Steps:
+        """The step functions of one class of cells."""
+        chosen = np.flatnonzero(cells)
+        pixels = self.pixels.reshape(2, -1)[:, chosen]
+        return Steps.of_cells(self.evidence.total.ravel()[chosen], slope.ravel()[chosen], pixels, float(log_odds(self.threshold)))
 
     def __repr__(self) -> str:
         cells = f"cells of {self.evidence.grid.cell_size:g} px, {self.evidence.mean_looks:.2f} looks each"

@@ -34,7 +34,7 @@ class Steps:
     ----------
     always : (2,) true and false pixels detected whatever the prior
     rising, falling : sorted critical log odds of the cells that are detected at or above it, at or below it
-    rising_pixels, falling_pixels : (m + 1, 2) running sums of their true and false pixels, from 0
+    rising_pixels, falling_pixels : (2, m + 1) running sums of their true and false pixels, from 0
     breaks : sorted log odds at which a count changes, a tie being exactly on it
     """
 
@@ -53,39 +53,53 @@ class Steps:
         ----------
         total : (N,) S of each cell
         slope : (N,) k = lam n - 1
-        pixels : (N, 2) its counted true-wall pixels and counted empty pixels
+        pixels : (2, N) its counted true-wall pixels and counted empty pixels
         threshold : t, log odds
         """
-        counted = pixels.any(axis=1)
-        total, slope, pixels = total[counted], slope[counted], pixels[counted]
+        total, slope, pixels = _without_unseen(total, slope, pixels)
         level = total - (threshold + TIE)  # as `detected_as_wall` decides a tie
         flat = np.abs(slope) < FLAT
-        rising, rising_pixels = _running_sums(level, slope, pixels, slope >= FLAT)
-        falling, falling_pixels = _running_sums(level, slope, pixels, slope <= -FLAT)
-        ties = (total - threshold)[~flat] / slope[~flat]
+        bent = np.flatnonzero(~flat)
+        rising, rising_pixels = _running_sums(level, slope, pixels, np.flatnonzero(slope >= FLAT))
+        falling, falling_pixels = _running_sums(level, slope, pixels, np.flatnonzero(slope <= -FLAT))
         return cls(
-            always=pixels[flat & (level <= 0)].sum(axis=0),
+            always=pixels[:, np.flatnonzero(flat & (level <= 0))].sum(axis=1),
             rising=rising,
             rising_pixels=rising_pixels,
             falling=falling,
             falling_pixels=falling_pixels,
-            breaks=_distinct(ties),
+            breaks=_distinct((total[bent] - threshold) / slope[bent]),
         )
 
     def counts(self, log_odds: ArrayLike) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """True and false pixels detected when the class has these prior log odds (any shape)."""
         l_0 = np.asarray(log_odds, dtype=np.float64)
-        pixels = self.always + self.rising_pixels[np.searchsorted(self.rising, l_0, side="right")]
-        pixels = pixels + (self.falling_pixels[-1] - self.falling_pixels[np.searchsorted(self.falling, l_0, side="left")])
-        return pixels[..., 0], pixels[..., 1]
+        risen = np.searchsorted(self.rising, l_0, side="right")
+        fallen = np.searchsorted(self.falling, l_0, side="left")
+        (tp, fp), (tp_up, fp_up), (tp_down, fp_down) = self.always, self.rising_pixels, self.falling_pixels
+        return tp + tp_up[risen] + tp_down[-1] - tp_down[fallen], fp + fp_up[risen] + fp_down[-1] - fp_down[fallen]
+
+
+def _without_unseen(total: NDArray, slope: NDArray, pixels: NDArray) -> tuple[NDArray, NDArray, NDArray]:
+    """The cells that count, all those without a reading as one: usually that is most of the drawing."""
+    unseen = (slope == -1.0) & (total == 0.0)
+    others = np.flatnonzero(~unseen & pixels.any(axis=0))
+    together = pixels[:, np.flatnonzero(unseen)].sum(axis=1, keepdims=True)
+    if not together.any():
+        return total[others], slope[others], pixels[:, others]
+    return (
+        np.append(total[others], 0.0),
+        np.append(slope[others], -1.0),
+        np.concatenate([pixels[:, others], together], axis=1),
+    )
 
 
 def _running_sums(level: NDArray, slope: NDArray, pixels: NDArray, chosen: NDArray) -> tuple[NDArray, NDArray]:
     """The chosen cells' critical values, sorted, and the running sums of their pixels."""
     critical = level[chosen] / slope[chosen]
     order = np.argsort(critical)
-    sums = np.zeros((len(order) + 1, 2), dtype=np.int64)
-    np.cumsum(pixels[chosen][order], axis=0, out=sums[1:])
+    sums = np.zeros((2, len(order) + 1), dtype=np.int64)
+    np.cumsum(pixels[:, chosen[order]], axis=1, out=sums[:, 1:])
     return critical[order], sums
 
 

@@ -1,0 +1,76 @@
+"""NSGA-II against the exact front, which it is not told."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from priorlab.core.building import Truth
+from priorlab.optimize.experiment import Experiment
+from priorlab.optimize.front import non_dominated
+from priorlab.optimize.pareto import pareto_front
+
+
+@pytest.fixture(scope="module")
+def flat(noisy_flat):
+    return noisy_flat()
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_pareto_front_comes_close_to_the_exact_one_and_never_beats_it(flat, seed):
+    exact = flat.sweep().front()
+    found = pareto_front(flat, np.random.default_rng(seed))
+    assert 0.97 * exact.hypervolume <= found.hypervolume <= exact.hypervolume + 1e-12
+    assert len(found) > 3
+    for precision, recall in zip(found.precision, found.recall, strict=True):
+        assert ((exact.precision >= precision) & (exact.recall >= recall)).any()
+
+
+def test_pareto_front_keeps_the_constraints_of_eq_4_19(flat):
+    found = pareto_front(flat, np.random.default_rng(3), population=20, generations=5)
+    assert ((found.priors >= 0.1) & (found.priors <= 1.0)).all()
+    assert (found.precision > 0.4).all() and (found.recall > 0.4).all()
+    assert len(np.unique(np.column_stack([found.precision, found.recall]), axis=0)) == len(found)
+    assert len(non_dominated(found.precision, found.recall)) == len(found)
+    sweep = flat.sweep()
+    for i, (p_wall, p_space) in enumerate(found.priors):
+        score = sweep.at(p_wall, p_space)
+        assert (score.precision, score.recall) == (found.precision[i], found.recall[i])
+
+
+def test_pareto_front_repeats_itself_with_one_seed_and_leaves_the_global_generator_alone(flat):
+    np.random.seed(5)  # noqa: NPY002
+    expected = np.random.random()  # noqa: NPY002
+    np.random.seed(5)  # noqa: NPY002
+    first = pareto_front(flat, np.random.default_rng(7), population=20, generations=4)
+    assert np.random.random() == expected  # noqa: NPY002
+    second = pareto_front(flat, np.random.default_rng(7), population=20, generations=4)
+    np.testing.assert_array_equal(first.priors, second.priors)
+    other = pareto_front(flat, np.random.default_rng(8), population=20, generations=4)
+    assert first.priors.shape != other.priors.shape or (first.priors != other.priors).any()
+
+
+def test_pareto_front_without_a_feasible_prior_is_empty_and_says_so(flat):
+    found = pareto_front(flat, np.random.default_rng(0), population=10, generations=3, floor=0.99)
+    assert len(found) == 0 and "above 99 % (eq. 4.19)" in found.note
+
+
+def test_pareto_front_of_walls_that_nobody_detects_is_empty(noisy_flat):
+    some = noisy_flat(seed=2)
+    blank = Truth(some.truth.walls & False, some.truth.ignore)
+    found = pareto_front(Experiment(some.walls, some.evidence, blank), np.random.default_rng(0), population=10, generations=3)
+    assert len(found) == 0 and found.note
+
+
+def test_pareto_front_refuses_a_search_of_nobody(flat):
+    with pytest.raises(ValueError, match="a population of 2 and 1 generation or more, got 1 and 40"):
+        pareto_front(flat, np.random.default_rng(0), population=1)
+
+
+def test_optimize_loads_pymoo_and_scikit_learn_only_when_used():
+    code = (
+        "import sys, priorlab.optimize.pareto, priorlab.optimize.clusters, priorlab.optimize.interpolation; "
+        "print([name for name in ('pymoo', 'sklearn', 'matplotlib', 'scipy') if name in sys.modules])"
+    )
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"

@@ -1,0 +1,191 @@
+"""The exact sweep against maps built and counted one by one, ties included."""
+
+import ast
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from priorlab.core.building import Truth
+from priorlab.core.drawing import Walls
+from priorlab.core.grid import Grid
+from priorlab.core.grid_map import Prior
+from priorlab.core.log_odds import log_odds
+from priorlab.core.readings import Evidence
+from priorlab.core.sensor import RangeSensor
+from priorlab.optimize.experiment import Experiment
+
+pytestmark = pytest.mark.filterwarnings("ignore::priorlab.mapping.overruled.OverruledSensorWarning")
+
+LAMS = (0.0, 0.5, 1.0)
+THRESHOLDS = (0.2, 0.18, 0.5)  # 0.18 = 0.2 x 0.9: a tie on the thesis's own grid
+TYING = (0.1, 0.2, 0.2 / 0.9, 0.3, 0.5, 0.8 / 0.9, 0.9, 1.0)
+p_values = st.one_of(st.sampled_from(TYING), st.floats(0.05, 1.0))
+
+
+@settings(max_examples=120, deadline=None)
+@given(
+    seed=st.integers(0, 10**6),
+    cell_size=st.integers(1, 4),
+    lam=st.sampled_from(LAMS),
+    threshold=st.sampled_from(THRESHOLDS),
+    p_wall=p_values,
+    p_space=p_values,
+)
+def test_sweep_counts_as_brute_force_does(small_case, seed, cell_size, lam, threshold, p_wall, p_space):
+    experiment, oracle = small_case(seed, cell_size, lam, threshold)
+    score = experiment.sweep().at(p_wall, p_space)
+    assert (score.tp, score.fp) == oracle.counts(p_wall, p_space)
+    assert score == experiment.score(Prior(p_wall, p_space))
+
+
+@settings(max_examples=40, deadline=None)
+@given(seed=st.integers(0, 10**6), lam=st.sampled_from(LAMS), which=st.integers(0, 10**6))
+def test_sweep_decides_a_cell_exactly_on_the_threshold_as_detected(small_case, seed, lam, which):
+    experiment, oracle = small_case(seed, lam=lam)
+    ties = oracle.candidates(True)
+    p_wall = ties[which % len(ties)]  # every second one is a flip value, to the last digit that a float can hold
+    score = experiment.sweep().at(p_wall, 0.9)
+    assert (score.tp, score.fp) == oracle.counts(p_wall, 0.9)
+
+
+@pytest.mark.parametrize("cell_size", [0.5, 1.5, 2.7])
+def test_sweep_equals_the_long_way_at_fractional_cells(small_case, cell_size):
+    experiment, _ = small_case(3, cell_size, shape=(9, 13))
+    sweep = experiment.sweep()
+    for p_wall, p_space in ((0.2, 0.9), (0.3, 0.3), (1.0, 0.1), (0.5, 1.0)):
+        assert sweep.at(p_wall, p_space) == experiment.score(Prior(p_wall, p_space))
+
+
+def by_hand(looks, total, truth=(True, False, True, False), ignore=(False,) * 4, **options):
+    """Four pixels in a row; the plan shows a wall in the first two."""
+    grid = Grid((1, 4))
+    walls = Walls(np.array([[1, 1, 0, 0]], np.uint8))
+    evidence = Evidence(np.array([total], float), np.array([looks]), grid, RangeSensor())
+    return Experiment(walls, evidence, Truth(np.array([truth]), np.array([ignore])), **options)
+
+
+def test_sweep_without_readings_detects_by_the_prior_alone():
+    sweep = by_hand([0, 0, 0, 0], [0, 0, 0, 0]).sweep()
+    assert repr(sweep.at(0.2, 0.9)) == repr(sweep.at(0.2222, 0.9))  # 0.2 / 0.9 = 0.2222...
+    assert (sweep.at(0.2, 0.9).tp, sweep.at(0.2, 0.9).fp) == (1, 1)
+    assert (sweep.at(0.2, 0.1).tp, sweep.at(0.2, 0.1).fp) == (2, 2)
+    nothing = sweep.at(0.2223, 0.9)
+    assert math.isnan(nothing.precision) and nothing.recall == 0 and nothing.f_beta == 0
+
+
+def test_sweep_with_one_look_does_not_depend_on_the_prior():
+    seen = log_odds(0.1).item()  # each pixel seen as wall once, lam = 1
+    sweep = by_hand([1, 1, 1, 1], [seen] * 4).sweep()
+    table = sweep.grid(30)
+    assert (table.tp == 2).all() and (table.fp == 2).all()
+    assert np.isnan(sweep.critical()).all() and (sweep.direction == 0).all()
+
+
+def test_sweep_with_two_looks_makes_more_wall_of_a_higher_prior():
+    free = 2 * log_odds(0.8).item()  # seen free twice by a weak sensor
+    sweep = by_hand([2, 2, 2, 2], [free] * 4).sweep()
+    assert (sweep.direction == 1).all()
+    tp, _ = sweep.counts(np.linspace(0.1, 1.0, 50), 0.5)
+    assert (np.diff(tp) >= 0).all()
+    high = Experiment.sweep(by_hand([2, 2, 2, 2], [free] * 4, factor=0.99))
+    assert high.at(1.0, 1.0).recall == 1 and high.at(0.9, 0.9).recall == 0
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_sweep_with_lam_0_makes_less_wall_of_a_higher_prior(small_case, seed):
+    sweep = small_case(seed, lam=0.0)[0].sweep()
+    p = np.linspace(0.1, 1, 200)
+    for pairs in ((p, 0.5), (0.5, p)):
+        tp, fp = sweep.counts(*pairs)
+        assert (np.diff(tp) <= 0).all() and (np.diff(fp) <= 0).all()
+
+
+def test_sweep_leaves_dont_care_pixels_out():
+    with_all = by_hand([0] * 4, [0] * 4).sweep()
+    without_first = by_hand([0] * 4, [0] * 4, ignore=(True, False, False, False)).sweep()
+    assert (with_all.positives, with_all.negatives) == (2, 2)
+    assert (without_first.positives, without_first.negatives) == (1, 2)
+    assert (without_first.at(0.2, 0.9).tp, without_first.at(0.2, 0.9).fp) == (0, 1)
+
+
+def test_sweep_grid_holds_what_at_says(small_case):
+    sweep = small_case(11, cell_size=2)[0].sweep()
+    table = sweep.grid()
+    np.testing.assert_array_equal(table.p_wall, [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0])
+    for i, p_wall in enumerate(table.p_wall):
+        for j, p_space in enumerate(table.p_space):
+            score = sweep.at(p_wall, p_space)
+            for measure in ("precision", "recall", "f_beta", "false_positive_rate"):
+                np.testing.assert_allclose(getattr(table, measure)[i, j], getattr(score, measure), rtol=1e-14, err_msg=measure)
+
+
+def test_sweep_grid_takes_any_values(small_case):
+    table = small_case(1)[0].sweep().grid([0.2, 0.21], np.linspace(0.3, 1, 7))
+    assert table.tp.shape == (2, 7) and table.p_space[-1] == 1
+    assert "2 p_wall x 7 p_space" in repr(table) and table._repr_html_().count("<tr>") == 3
+
+
+def test_sweep_critical_is_where_each_cell_flips(small_case):
+    experiment, _ = small_case(5, cell_size=2, shape=(8, 9))
+    sweep = experiment.sweep()
+    critical = sweep.critical()
+    flips = 0
+    for row, col in np.argwhere((critical > 0.01) & (critical < 1.09)):
+        p, direction = critical[row, col], sweep.direction[row, col]
+        at, below, above = (experiment.map(Prior(q, q)).detected()[row, col] for q in (p, p - 1e-6, p + 1e-6))
+        assert at and (below, above) == ((True, False) if direction == -1 else (False, True))
+        flips += 1
+    assert flips > 5
+    fixed = np.isnan(critical)
+    assert fixed.any()
+    np.testing.assert_array_equal(fixed, experiment.evidence.looks == 1)
+
+
+def test_sweep_says_what_is_wrong(small_case):
+    sweep = small_case(0)[0].sweep()
+    with pytest.raises(ValueError, match=r"the effective p_wall must lie strictly between 0 and 1, got 0 x 0\.9 = 0"):
+        sweep.at(0.0, 0.5)
+    with pytest.raises(ValueError, match=r"the effective p_space must lie .* got 1\.2 x 0\.9 = 1\.08"):
+        sweep.grid([0.5], [0.5, 1.2])
+    with pytest.raises(ValueError, match="at least 2 values a side, got 1"):
+        sweep.grid(1)
+    with pytest.raises(ValueError, match="one row of numbers"):
+        sweep.grid(np.ones((2, 2)))
+    with pytest.raises(ValueError, match="measure must be"):
+        sweep.best("accuracy")
+    with pytest.raises(ValueError, match="floor must lie"):
+        sweep.front(floor=40)
+    with pytest.raises(ValueError, match="a lower and a higher"):
+        sweep.front(bounds=(1.0, 0.1))
+
+
+def test_experiment_says_what_is_wrong(small_case):
+    good = small_case(0)[0]
+    other = Truth(np.zeros((5, 7), bool), np.zeros((5, 7), bool))
+    with pytest.raises(ValueError, match=r"one drawing, got walls 6 x 5, evidence 6 x 5, truth 7 x 5 pixels"):
+        Experiment(good.walls, good.evidence, other)
+    for wrong, sentence in (
+        (dict(lam=float("nan")), "lam must be a finite number"),
+        (dict(threshold=1.0), "threshold must lie strictly between"),
+        (dict(beta=0), "beta must be"),
+        (dict(factor=-1), "factor must be"),
+    ):
+        with pytest.raises(ValueError, match=sentence):
+            Experiment(good.walls, good.evidence, good.truth, **wrong)
+
+
+def test_oracle_shares_nothing_with_the_sweep():
+    tree = ast.parse((Path(__file__).parent / "conftest.py").read_text())
+    oracle = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Oracle")
+    names = {node.id for node in ast.walk(oracle) if isinstance(node, ast.Name)}
+    imported = {
+        alias.asname or alias.name
+        for node in tree.body
+        if isinstance(node, ast.ImportFrom) and node.module.startswith("priorlab")
+        for alias in node.names
+    }
+    assert imported and not names & imported
