@@ -35,7 +35,8 @@ def distance_to_boundary(occupied: NDArray[np.bool_], max_distance: float) -> ND
     inner = cv2.erode(filled, _CROSS, borderType=cv2.BORDER_CONSTANT, borderValue=1)
     not_boundary = 1 - (filled - inner)
     distance = cv2.distanceTransform(not_boundary, cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
-    return np.minimum(distance, np.float32(max_distance), out=distance)
+    distance = np.sqrt(np.rint(np.square(distance)))  # squares of cells are whole; OpenCV's last digit hangs on the window
+    return np.minimum(distance, np.float32(max_distance))
 
 
 def log_likelihood_of(distance_m: NDArray, parameters: Parameters = TUNED) -> NDArray[np.float32]:
@@ -106,7 +107,9 @@ class LikelihoodField:
         A change is felt up to the maximum distance away; to know the distance there, the obstacles as far again are needed.
         """
         cell_m = self.grid.cell_size_m
-        reach = math.ceil(self.parameters.max_distance_m / cell_m) + 1  # 1: a change moves its neighbours' boundary
+        reach = math.ceil(
+            self.parameters.max_distance_m / cell_m
+        )  # a neighbour's boundary moves too, but `reach` cells are no longer felt
         felt = _grown(rows, cols, reach, self.grid.shape)
         needed = _grown(rows, cols, 2 * reach, self.grid.shape)
         distance = distance_to_boundary(self.occupied(log_odds_map[needed]), self.parameters.max_distance_m / cell_m)

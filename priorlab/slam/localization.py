@@ -71,8 +71,7 @@ def predict(
 
 def weigh(particles: Particles, scan: Scan, field: LikelihoodField) -> Particles:
     """w_k^[j] = MeasurementModel(z_k, x_k^[j], m_{k-1}) for all j, times the weight that was left over."""
-    logs = particles.log_weights + log_weights(particles.poses, scan, field)  # type: ignore[operator]
-    return Particles(particles.poses, logs - logs.max())
+    return Particles(particles.poses, particles.log_weights + log_weights(particles.poses, scan, field))
 
 
 def choose(particles: Particles, rng: np.random.Generator, parameters: Parameters = TUNED) -> Particles:

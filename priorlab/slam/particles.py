@@ -25,7 +25,7 @@ class Particles:
     """
 
     poses: NDArray[np.float64]
-    log_weights: NDArray[np.float64] | None = None
+    log_weights: NDArray[np.float64] = None  # type: ignore[assignment]
 
     def __post_init__(self) -> None:
         poses = check_poses("poses", self.poses)
@@ -43,7 +43,6 @@ class Particles:
     @property
     def weights(self) -> NDArray[np.float64]:
         """(N,) weights that sum to 1. The largest log is taken off first, so that 60 small factors cannot underflow."""
-        assert self.log_weights is not None
         weights = np.exp(self.log_weights - self.log_weights.max())
         return weights / weights.sum()
 

@@ -16,6 +16,7 @@ from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.localization import choose, predict, weigh
 from priorlab.slam.map_update import see_cells, update_seen
+from priorlab.slam.measurement import share_explained
 from priorlab.slam.parameters import TABLE_6_1, TUNED, Parameters
 from priorlab.slam.particles import start_particles
 from priorlab.slam.scan import choose_beams
@@ -34,7 +35,7 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in)
 
     rng = np.random.default_rng(7)
     particles = start_particles(log.start, 4500, (0, 0, 0), rng)
-    log_odds_map = slam_prior.log_odds.copy()
+    log_odds_map, plan = slam_prior.log_odds.copy(), LikelihoodField.of(slam_prior, parameters)
     for k in range(40):
         # the field is made anew from the whole map in every step: the run only repairs a window of it
         in_use = GridMap(log_odds_map, slam_prior.grid) if localize_in == "updated" else slam_prior
@@ -44,6 +45,7 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in)
         particles = weigh(particles, scan, field)
         pose = estimate_pose(particles, parameters)
         assert np.array_equal(pose, run.trajectory[k])
+        assert run.explained[k] == share_explained(pose, scan, plan) or not len(scan)
         assert (len(particles), particles.effective_number) == (run.n_particles[k], run.ess[k])
         particles = choose(particles, rng, parameters) if len(scan) else particles
         update_seen(log_odds_map, slam_prior.log_odds, see_cells(slam_prior.grid, pose, scan, parameters), parameters)

@@ -127,19 +127,20 @@ def test_distance_to_boundary_agrees_with_a_slow_search(seed, density, farthest)
         assert distance == pytest.approx(expected, rel=1e-6)
 
 
-@given(st.integers(0, 2**32 - 1))
-@settings(max_examples=25, deadline=None)
-def test_refresh_of_a_window_equals_the_whole_field_worked_out_again(seed):
+@given(st.integers(0, 2**32 - 1), st.sampled_from([0.3, 0.5, 0.47, 0.62]))
+@settings(max_examples=60, deadline=None)
+def test_refresh_of_a_window_equals_the_whole_field_worked_out_again(seed, max_distance_m):
+    parameters = replace(TUNED, max_distance_m=max_distance_m)
     rng = np.random.default_rng(seed)
     log_odds_map = np.where(rng.random((60, 70)) < 0.05, -2.0, 2.0)
     log_odds_map[20:30, 10:50] = -2.0
     grid = Grid((60, 70), 1, 0.1)
-    field = LikelihoodField.of(GridMap(log_odds_map, grid), NEAR)
+    field = LikelihoodField.of(GridMap(log_odds_map, grid), parameters)
     top, left = rng.integers(0, 60), rng.integers(0, 70)
     window = (slice(int(top), min(60, int(top) + 12)), slice(int(left), min(70, int(left) + 9)))
     log_odds_map[window] *= np.where(rng.random(log_odds_map[window].shape) < 0.5, -1, 1)
     field.refresh(log_odds_map, *window)
-    again = LikelihoodField.of(GridMap(log_odds_map, grid), NEAR)
+    again = LikelihoodField.of(GridMap(log_odds_map, grid), parameters)
     assert np.array_equal(field.image, again.image)
 
 

@@ -72,6 +72,24 @@ def test_resample_multinomial_varies_most_and_systematic_least():
     assert 1.2 * spread["systematic"] < spread["stratified"] < spread["multinomial"] / 1.2
 
 
+class Always:
+    """A Generator that draws one number again and again."""
+
+    def __init__(self, number):
+        self.number = number
+
+    def random(self, size=None):
+        return self.number if size is None else np.full(size, self.number)
+
+
+def test_resample_never_draws_a_weight_of_zero_at_either_end():
+    highest = float(np.nextafter(1.0, 0.0))
+    tenths = [0.0] + [0.1] * 10 + [0.0]  # adds up to a hair below 1
+    assert sum(tenths) <= highest
+    assert resample(tenths, 1, Always(0.0)).tolist() == [1]
+    assert resample(tenths, 3, Always(highest), "multinomial").tolist() == [10, 10, 10]
+
+
 @pytest.mark.parametrize(
     ("weights", "n_draws", "method", "sentence"),
     [
