@@ -171,7 +171,7 @@ class Grid:
             raise ValueError(f"the cells must have the grid's shape {self.shape}, got {cells.shape}")
         if self.cell_size == 1:
             return cells
-        return cells[self.row_of_pixel[:, None], self.col_of_pixel]
+        return cells.take(self.col_of_pixel, axis=1).take(self.row_of_pixel, axis=0)
 
 
 def _scaled(points: ArrayLike, factor: float) -> NDArray[np.float64]:

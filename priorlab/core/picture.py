@@ -21,7 +21,7 @@ def encode_png(image: NDArray[np.uint8], compression: int = 1) -> bytes:
     if image.dtype != np.uint8 or image.ndim not in (2, 3) or image.size == 0:
         raise ValueError(f"image must be a non-empty uint8 picture, got {image.dtype} of shape {image.shape}")
     if image.ndim == 3:
-        image = np.ascontiguousarray(image[..., ::-1])  # OpenCV keeps blue first
+        image = np.asarray(cv2.cvtColor(image, cv2.COLOR_RGB2BGR), dtype=np.uint8)  # OpenCV keeps blue first
     # level 1 is OpenCV's own; naming it makes OpenCV try every filter on every row, which takes three times as long
     level = [] if compression == 1 else [cv2.IMWRITE_PNG_COMPRESSION, compression]
     ok, png = cv2.imencode(".png", image, level)
