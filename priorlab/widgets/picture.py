@@ -17,7 +17,10 @@ function render({ model, el }) {
   const draw = () => {
     const old = url;
     url = URL.createObjectURL(new Blob([model.get("image")], { type: model.get("mime") }));
-    img.onload = () => { if (old) URL.revokeObjectURL(old); };
+    img.onload = () => {
+      if (old) URL.revokeObjectURL(old);
+      img.style.imageRendering = img.naturalWidth > img.clientWidth ? "auto" : "pixelated";  // sharp when large, whole when small
+    };
     img.src = url;
   };
   const tell = () => { img.alt = model.get("alt"); };
@@ -38,7 +41,7 @@ export default { render };
 """
 
 _CSS = """
-.priorlab-picture { image-rendering: pixelated; max-width: 100%; height: auto; background: #fff; border: 1px solid #888; }
+.priorlab-picture { max-width: 100%; height: auto; background: #fff; border: 1px solid #888; }
 """
 
 

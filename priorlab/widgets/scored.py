@@ -29,3 +29,16 @@ def scored_picture(grid_map: GridMap, truth: Truth, threshold: float) -> NDArray
     colours = np.zeros((256, 1, 3), dtype=np.uint8)
     colours[:5, 0] = (EMPTY, INVENTED, MISSED, FOUND, IGNORED)
     return np.asarray(cv2.applyColorMap(kind, colours), dtype=np.uint8)
+
+
+def reduced(picture: NDArray[np.uint8], width: int) -> NDArray[np.uint8]:
+    """A picture no wider than it is shown: thin walls stay visible, and less has to travel.
+
+    >>> reduced(np.zeros((300, 900, 3), dtype=np.uint8), 450).shape
+    (150, 450, 3)
+    """
+    scale = width / picture.shape[1]
+    if scale >= 1:
+        return picture
+    size = (width, max(1, round(picture.shape[0] * scale)))
+    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)

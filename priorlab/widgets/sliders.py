@@ -70,7 +70,7 @@ class Slider(anywidget.AnyWidget):
     max = traitlets.Float(1.0).tag(sync=True)
     step = traitlets.Float(0.01).tag(sync=True)
     digits = traitlets.Int(2).tag(sync=True)
-    value = traitlets.Float(0.0).tag(sync=True)
+    value = traitlets.Float(0.0).tag(sync=True, echo_update=False)  # the browser knows what it sent: one message less
 
     def __init__(self, label: str, value: float, min: float, max: float, step: float, hint: str = "", **traits: Any) -> None:
         digits = traits.pop("digits", 0 if float(step).is_integer() else 2)

@@ -37,7 +37,7 @@ def test_picture_show_holds_the_very_pixels_and_the_words():
 
 
 def test_picture_shows_alt_text_sharp_pixels_in_the_browser():
-    assert 'img.alt = model.get("alt")' in Picture._esm and "image-rendering: pixelated" in Picture._css
+    assert 'img.alt = model.get("alt")' in Picture._esm and '"auto" : "pixelated"' in Picture._esm
 
 
 def test_slider_names_itself_for_screen_readers_and_keeps_its_keys():

@@ -1,0 +1,181 @@
+"""From key press to painted map, in a real browser: JupyterLab, chromium, MapLab on a plan of 600 x 800 pixels.
+
+    python tests/benchmarks/browser_sliders.py [--chromium /usr/bin/chromium] [--keys 60] [--shots FOLDER]
+
+Run by hand (make bench-browser). Needs `pip install playwright` and a chromium of the system; neither is a dependency of the
+project or of its tests. A key press counts from the keydown event to the end of the frame that paints the new map.
+With --shots it also opens the course's notebooks, runs them all and leaves pictures of them. Exit code 1 when the 90th
+percentile reaches 100 ms or a notebook shows an error.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import secrets
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import nbformat
+import numpy as np
+
+from priorlab.course.execute import METADATA
+
+NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+IDLE = ".jp-Notebook-ExecutionIndicator[data-status='idle']"
+FLAGS = (
+    "--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update "
+    "--disable-sync"
+).split()
+
+LAB = """
+import cv2, numpy as np, priorlab as pl
+from priorlab.core.survey import look_around
+from priorlab.widgets import MapLab
+
+labels = np.zeros((600, 800), dtype=np.uint8)
+for x in range(0, 800, 100):
+    cv2.line(labels, (x, 0), (x, 599), 1, 5)
+for y in range(0, 600, 120):
+    cv2.line(labels, (0, y), (799, y), 1, 5)
+for x in range(0, 800, 100):
+    labels[40:80, max(0, x - 5) : x + 6] = labels[280:320, max(0, x - 5) : x + 6] = 0
+walls = pl.Walls(labels)
+truth = pl.Truth(walls.mask, np.zeros(labels.shape, bool))
+rows = [((10, y), (790, y)) for y in (60, 180, 300, 420, 540)]
+poses = look_around(rows, 10)
+poses = poses[~walls.mask[600 - 1 - poses[:, 1].astype(int), poses[:, 0].astype(int)]]
+grid = pl.Grid(labels.shape, 3)
+lab = MapLab(walls, pl.gather_evidence(pl.explore(truth, poses, pl.RangeSensor(max_range=40)), grid), truth)
+lab
+"""
+
+WATCH = """
+() => {
+  const [input] = document.querySelectorAll(".priorlab-slider input");
+  const [map] = document.querySelectorAll("img.priorlab-picture");
+  window.took = [];
+  let pressed = 0;
+  input.addEventListener("keydown", () => { pressed = performance.now(); }, true);
+  map.addEventListener("load", () => {
+    requestAnimationFrame(() => {  // this frame paints the map; a message posted here arrives when it has been painted
+      const after = new MessageChannel();
+      after.port1.onmessage = () => window.took.push(performance.now() - pressed);
+      after.port2.postMessage(0);
+    });
+  });
+  input.focus();
+}
+"""
+
+
+@contextlib.contextmanager
+def jupyter_lab(folder: Path) -> Iterator[str]:
+    """A JupyterLab of this environment on 127.0.0.1; yields its address with the token to be filled in."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port = probe.getsockname()[1]
+    token = secrets.token_hex(16)
+    settings = [f"--ServerApp.port={port}", "--ServerApp.ip=127.0.0.1", f"--ServerApp.root_dir={folder}", "--no-browser"]
+    settings += ["--LabApp.news_url=None", "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate"]
+    environment = {**os.environ, "JUPYTER_TOKEN": token, "JUPYTER_CONFIG_DIR": str(folder / ".config")}
+    environment.pop("MPLBACKEND", None)
+    with (folder / "server.log").open("w") as log:
+        command = [sys.executable, "-m", "jupyterlab", *settings, *(["--allow-root"] if os.geteuid() == 0 else [])]
+        server = subprocess.Popen(command, stdout=log, stderr=log, env=environment)
+        address = f"http://127.0.0.1:{port}"
+        try:
+            for _ in range(120):
+                with contextlib.suppress(OSError):
+                    urllib.request.urlopen(f"{address}/api?token={token}", timeout=2)
+                    break
+                time.sleep(0.5)
+            yield f"{address}/lab/tree/{{}}?token={token}&reset"
+        finally:
+            server.terminate()
+            server.wait(20)
+
+
+def run_all(page: Any, address: str, wait_for: str) -> float:
+    """Open a notebook, run all its cells, wait for something to appear; returns seconds to the first widget."""
+    started = time.perf_counter()
+    page.goto(address)
+    page.wait_for_selector(".jp-Notebook .jp-Cell", timeout=30_000)
+    page.wait_for_selector(IDLE, timeout=30_000)
+    page.wait_for_timeout(1500)  # idle before its first command is not yet ready for it
+    page.click("text=Run >> nth=0")
+    page.wait_for_timeout(500)
+    page.click("text=Run All Cells >> nth=0")
+    page.wait_for_selector(wait_for, timeout=120_000)
+    return time.perf_counter() - started
+
+
+def main() -> int:
+    """Measure, tell, and judge."""
+    from playwright.sync_api import sync_playwright
+
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--chromium", default=shutil.which("chromium") or "/usr/bin/chromium")
+    parser.add_argument("--keys", type=int, default=60)
+    parser.add_argument("--shots", type=Path)
+    options = parser.parse_args()
+    bad = False
+    with tempfile.TemporaryDirectory() as name, sync_playwright() as play:
+        folder = Path(name)
+        nbformat.write(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(LAB)], metadata=METADATA), folder / "lab.ipynb")
+        for notebook in NOTEBOOKS.glob("*.ipynb"):
+            shutil.copy(notebook, folder)
+        with jupyter_lab(folder) as address:
+            browser = play.chromium.launch(executable_path=options.chromium, headless=True, args=FLAGS)
+            page = browser.new_page(viewport={"width": 1280, "height": 900})
+            seconds = run_all(page, address.format("lab.ipynb"), "img.priorlab-picture")
+            page.wait_for_timeout(1500)
+            page.evaluate(WATCH)
+            for key in range(options.keys):
+                page.keyboard.press("ArrowLeft" if key % 20 < 10 else "ArrowRight")
+                page.wait_for_function(f"window.took.length > {key}", timeout=10_000, polling=5)
+                page.wait_for_timeout(60)
+            took = np.array(page.evaluate("window.took"))
+            low, high = np.percentile(took, [50, 90])
+            print(
+                f"{len(took)} key presses, 600 x 800 px in cells of 3: median {low:.0f} ms, 90th percentile {high:.0f} ms, "
+                f"slowest {took.max():.0f} ms; opened and run to the first widget in {seconds:.1f} s"
+            )
+            bad |= bool(high >= 100)
+            if options.shots:
+                options.shots.mkdir(parents=True, exist_ok=True)
+                page.screenshot(path=options.shots / "map_lab.png")
+                for notebook in sorted(NOTEBOOKS.glob("*.ipynb")):
+                    bad |= shoot(page, address.format(notebook.name), options.shots / notebook.stem)
+            browser.close()
+    return int(bad)
+
+
+def shoot(page: Any, address: str, stem: Path) -> bool:
+    """Run a course notebook and leave pictures of it from top to bottom; True when something went wrong."""
+    seconds = run_all(page, address, ".priorlab-slider")
+    page.wait_for_selector(IDLE, timeout=180_000)
+    page.wait_for_timeout(2000)
+    scroller = page.evaluate_handle("document.querySelector('.jp-WindowedPanel-outer')")
+    height = scroller.evaluate("it => it.scrollHeight")
+    errors = 0
+    for number, top in enumerate(range(0, int(height), 780)):
+        scroller.evaluate("(it, top) => { it.scrollTop = top; }", top)
+        page.wait_for_timeout(500)
+        page.screenshot(path=f"{stem}_{number:02d}.png")
+        errors += page.locator(".jp-OutputArea-output[data-mime-type='application/vnd.jupyter.error']").count()
+    print(f"{stem.name}: first widget after {seconds:.1f} s, {errors} errors on the screen")
+    return errors > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
