@@ -111,6 +111,15 @@ def write_ros_map(
     -----
     UserWarning
         When trinary turns most of the space into unknown: a cell is free only above P(empty) = 0.804.
+
+    >>> import tempfile
+    >>> walls = Walls(np.array([[1, 0], [1, 0]], dtype=np.uint8), metres_per_pixel=0.05)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = write_ros_map(f"{folder}/flat.yaml", walls)
+    ...     print(path.read_text().splitlines()[:3])
+    ...     read_ros_map(path).occupancy.tolist()
+    ['image: flat.pgm', 'mode: trinary', 'resolution: 0.05']
+    [[100, 0], [100, 0]]
     """
     if mode not in ("trinary", "scale", "raw"):
         raise ValueError(f"mode must be 'trinary', 'scale' or 'raw', got {mode!r}")

@@ -32,6 +32,13 @@ def write_tum(path: str | os.PathLike[str], poses: ArrayLike, stamps: ArrayLike 
         When the file is there already.
     ValueError
         When poses or stamps are not finite numbers of matching length.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     print(write_tum(f"{folder}/path.tum", [[1.0, 2.0, np.pi / 2]]).read_text())
+    # stamp tx ty tz qx qy qz qw
+    0.000000 1.000000000 2.000000000 0 0 0 0.707106781187 0.707106781187
+    <BLANKLINE>
     """
     path = Path(path)
     poses = check_poses("poses", poses)

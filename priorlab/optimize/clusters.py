@@ -94,6 +94,11 @@ def cluster(front: Front | Sequence[Front], n_clusters: int = 3, *, rng: np.rand
     Returns
     -------
     Clusters; with fewer different priors than `n_clusters`, each is a group of its own and the note says so.
+
+    >>> p_wall, p_space = np.array([0.18, 0.2, 0.9, 1.0]), np.array([0.9, 0.8, 0.6, 0.7])
+    >>> front = Front(p_wall, p_space, precision=np.array([0.9, 0.8, 0.7, 0.6]), recall=np.array([0.5, 0.6, 0.7, 0.8]))
+    >>> cluster(front, n_clusters=2, rng=np.random.default_rng(0))
+    Clusters(2 at (0.19, 0.85); 2 at (0.95, 0.65))
     """
     if n_clusters < 1:
         raise ValueError(f"n_clusters must be at least 1, got {n_clusters}")

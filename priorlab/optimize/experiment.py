@@ -38,6 +38,15 @@ class Experiment:
     ------
     ValueError
         When the shapes of walls, evidence and truth differ, or a number is out of range.
+
+    >>> from priorlab.core.grid import Grid
+    >>> walls = Walls(np.array([[1, 1, 0, 0]], dtype=np.uint8))                     # the plan shows two walls,
+    >>> truth = Truth(np.array([[True, False, False, False]]), np.zeros((1, 4)))    # one of them stands
+    >>> experiment = Experiment(walls, Evidence.none(Grid((1, 4))), truth)          # and nobody looks
+    >>> experiment.score(Prior(p_wall=0.2, p_space=0.9))
+    Score(precision 0.500, recall 1.000, F2 0.833, false positive rate 0.333 at P(empty) <= 0.2)
+    >>> experiment.sweep().best("f_beta")                                           # 0.2222 = 0.2 / 0.9
+    Best(f_beta 0.8333 at p_wall in [0.1, 0.2222], p_space in (0.2222, 1])
     """
 
     walls: Walls

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.optimize.measures import f_beta_of, share
+from priorlab.optimize.measures import Measure, f_beta_of, share
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,6 +50,12 @@ class Table:
     def f_beta(self) -> NDArray[np.float64]:
         """(A, B) eq. 5.1; 0 where nothing is detected rightly."""
         return f_beta_of(self.tp, self.fp, self.positives, self.beta)
+
+    def best(self, measure: Measure = "f_beta") -> NDArray[np.float64]:
+        """(K, 2) the pairs of the table that reach its highest value: tables 4.1 and 4.2 print them from 10 x 10 pairs."""
+        values = getattr(self, measure)
+        rows, cols = np.nonzero(values == _top(values))
+        return np.column_stack([self.p_wall[rows], self.p_space[cols]])
 
     def __repr__(self) -> str:
         rows, cols = self.tp.shape

@@ -1,7 +1,9 @@
 """read_drawing: every file is made here, and what it must show is known from how it was made."""
 
+import os
 import struct
 import zlib
+from pathlib import Path
 
 import cv2
 import numpy as np
@@ -252,3 +254,14 @@ def test_read_drawing_of_a_damaged_file_is_a_drawing_or_a_sentence(tmp_path, dat
         assert "the drawing must" in str(sentence)
     else:
         assert drawing.grey.size >= 4
+
+
+def test_read_drawing_reads_real_plans():
+    folder = os.environ.get("PRIORLAB_REAL_DATA")
+    if not folder:
+        pytest.skip("PRIORLAB_REAL_DATA is not set")
+    coloured = {"mlstruct_f302_crop0.png": True, "mlstruct_f302_fifth.png": True, "cvcfp_c13.png": False, "cvcfp_c3.png": False}
+    for name, has_hues in coloured.items():
+        drawing = read_drawing(Path(folder) / "plans_real" / name)
+        assert (drawing.colour is not None) == has_hues, name
+        assert np.ptp(drawing.grey) > 200

@@ -129,6 +129,14 @@ def test_front_beats_every_prior_of_a_fine_grid(noisy_flat):
         assert np.isnan(precision) or recall == 0 or ((front.precision >= precision) & (front.recall >= recall)).any()
 
 
+def test_front_floor_is_strict_as_eq_4_19_has_it(noisy_flat):
+    sweep = noisy_flat().sweep()
+    front = sweep.front()
+    lowest = float(front.recall.min())
+    assert (sweep.front(floor=lowest).recall > lowest).all()
+    assert sweep.front(floor=lowest - 1e-12).recall.min() == lowest
+
+
 def test_front_that_cannot_be_is_empty_and_says_why(small_case, noisy_flat):
     front = noisy_flat(seed=1).sweep().front(floor=0.97)
     assert len(front) == 0 and front.hypervolume == 0.0 and front.priors.shape == (0, 2)

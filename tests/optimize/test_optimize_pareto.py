@@ -51,6 +51,23 @@ def test_pareto_front_repeats_itself_with_one_seed_and_leaves_the_global_generat
     assert first.priors.shape != other.priors.shape or (first.priors != other.priors).any()
 
 
+def test_pareto_front_puts_the_global_generator_back_after_a_pymoo_that_seeds_it(flat, monkeypatch):
+    from pymoo import optimize
+
+    minimize = optimize.minimize
+
+    def as_older_ones_did(*args, seed, **options):
+        np.random.seed(seed)  # noqa: NPY002
+        return minimize(*args, seed=seed, **options)
+
+    monkeypatch.setattr(optimize, "minimize", as_older_ones_did)
+    np.random.seed(5)  # noqa: NPY002
+    expected = np.random.random()  # noqa: NPY002
+    np.random.seed(5)  # noqa: NPY002
+    pareto_front(flat, np.random.default_rng(7), population=10, generations=2)
+    assert np.random.random() == expected  # noqa: NPY002
+
+
 def test_pareto_front_without_a_feasible_prior_is_empty_and_says_so(flat):
     found = pareto_front(flat, np.random.default_rng(0), population=10, generations=3, floor=0.99)
     assert len(found) == 0 and "above 99 % (eq. 4.19)" in found.note

@@ -123,6 +123,15 @@ def test_sweep_grid_holds_what_at_says(small_case):
                 np.testing.assert_allclose(getattr(table, measure)[i, j], getattr(score, measure), rtol=1e-14, err_msg=measure)
 
 
+@pytest.mark.parametrize("measure", ["precision", "recall", "f_beta"])
+def test_table_best_lists_all_pairs_that_reach_the_highest_value(small_case, measure):
+    sweep = small_case(11, cell_size=2)[0].sweep()
+    table = sweep.grid()
+    slow = {(p, q): getattr(sweep.at(p, q), measure) for p in table.p_wall for q in table.p_space}
+    highest = max(value for value in slow.values() if not math.isnan(value))
+    assert {tuple(pair) for pair in table.best(measure)} == {pair for pair, value in slow.items() if value == highest}
+
+
 def test_sweep_grid_takes_any_values(small_case):
     table = small_case(1)[0].sweep().grid([0.2, 0.21], np.linspace(0.3, 1, 7))
     assert table.tp.shape == (2, 7) and table.p_space[-1] == 1
