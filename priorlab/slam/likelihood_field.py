@@ -107,9 +107,7 @@ class LikelihoodField:
         A change is felt up to the maximum distance away; to know the distance there, the obstacles as far again are needed.
         """
         cell_m = self.grid.cell_size_m
-        reach = math.ceil(
-            self.parameters.max_distance_m / cell_m
-        )  # a neighbour's boundary moves too, but `reach` cells are no longer felt
+        reach = math.ceil(self.parameters.max_distance_m / cell_m)
         felt = _grown(rows, cols, reach, self.grid.shape)
         needed = _grown(rows, cols, 2 * reach, self.grid.shape)
         distance = distance_to_boundary(self.occupied(log_odds_map[needed]), self.parameters.max_distance_m / cell_m)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -102,6 +104,16 @@ def prior_of(walls: NDArray, prior: Prior, cell_size: float = 1) -> GridMap:
 @pytest.fixture(scope="session")
 def floor() -> tuple[NDArray, NDArray]:
     return draw_floor()
+
+
+@pytest.fixture(scope="session", name="prior_of")
+def prior_of_fixture() -> Callable[..., GridMap]:
+    return prior_of
+
+
+@pytest.fixture(scope="session", name="drive_floor")
+def drive_floor_fixture() -> Callable[..., RobotLog]:
+    return drive_floor
 
 
 @pytest.fixture(scope="session")

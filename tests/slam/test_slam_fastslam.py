@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conftest import drive_floor, prior_of
 
 from priorlab.core.building import Truth
 from priorlab.core.grid_map import GridMap, Prior
@@ -53,7 +52,7 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
-def test_tuned_finds_its_way_among_furniture(slam_prior, floor, seed):
+def test_tuned_finds_its_way_among_furniture(slam_prior, floor, seed, drive_floor):
     log = drive_floor(seed)
     run = FastSLAM().run(slam_prior, log, np.random.default_rng(100 + seed))
     assert run.ate_m(log) <= 0.3  # issue 5
@@ -63,7 +62,7 @@ def test_tuned_finds_its_way_among_furniture(slam_prior, floor, seed):
     assert (run.n_particles >= 1500).all() and (run.n_particles <= 4500).all()
 
 
-def test_prior_beats_no_prior_on_the_same_poses(slam_prior, drive_log, floor):
+def test_prior_beats_no_prior_on_the_same_poses(slam_prior, drive_log, floor, prior_of):
     run = FastSLAM().run(slam_prior, drive_log, np.random.default_rng(0))
     truth = Truth(floor[0], np.zeros_like(floor[0]))
     with_plan = score_mask(run.map.detected(0.5), truth).f_beta
@@ -172,12 +171,12 @@ def test_run_says_when_the_log_is_empty(slam_prior, drive_log):
         FastSLAM().run(slam_prior, first_steps(drive_log, 0), np.random.default_rng(0))
 
 
-def test_run_says_when_there_is_no_wall_to_localize_by(floor, drive_log):
+def test_run_says_when_there_is_no_wall_to_localize_by(floor, drive_log, prior_of):
     with pytest.raises(ValueError, match="the map must hold walls to localize in"):
         FastSLAM().run(prior_of(floor[0], Prior.uninformed()), drive_log, np.random.default_rng(0))
 
 
-def test_run_warns_when_the_prior_is_surer_than_the_sensor(floor, drive_log):
+def test_run_warns_when_the_prior_is_surer_than_the_sensor(floor, drive_log, prior_of):
     with pytest.warns(OverruledSensorWarning, match=r"the effective p_space 0.9 must lie below the p_free 0.8"):
         FastSLAM().run(prior_of(floor[0], Prior(0.3, 1.0)), first_steps(drive_log, 2), np.random.default_rng(0))
 

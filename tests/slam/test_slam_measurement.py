@@ -5,7 +5,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conftest import prior_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -150,7 +149,7 @@ def test_log_likelihood_of_hand_values():
     assert log_likelihood_of(np.array([0.0, 50.0]), parameters) == pytest.approx([at_wall, math.log(0.05 / 12)], rel=1e-6)
 
 
-def test_field_needs_walls():
+def test_field_needs_walls(prior_of):
     with pytest.raises(ValueError, match=r"the map must hold walls to localize in.*below 0.35, got a lowest P\(empty\) of 0.5"):
         LikelihoodField.of(prior_of(np.eye(20, dtype=bool), Prior.uninformed()))
     with pytest.raises(ValueError, match="got a lowest P.empty. of 0.36"):

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from conftest import prior_of
 
 from priorlab.core.grid_map import Prior
 from priorlab.core.readings import RobotLog
@@ -51,7 +50,7 @@ def test_at_says_which_steps_there_are(run, step):
         run.at(step)
 
 
-def test_remap_feeds_another_prior_with_the_same_poses(run, floor):
+def test_remap_feeds_another_prior_with_the_same_poses(run, floor, prior_of):
     assert np.array_equal(run.remap(run.prior_map).log_odds, run.map.log_odds)
     nothing = prior_of(floor[0], Prior.uninformed())
     without = run.remap(nothing)
