@@ -264,4 +264,4 @@ def test_read_drawing_reads_real_plans():
     for name, has_hues in coloured.items():
         drawing = read_drawing(Path(folder) / "plans_real" / name)
         assert (drawing.colour is not None) == has_hues, name
-        assert np.ptp(drawing.grey) > 200
+        assert np.ptp(drawing.grey) > 100  # the pale lines of one plan are no darker
