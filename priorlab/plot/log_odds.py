@@ -7,14 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from priorlab.core.log_odds import DETECTED_WALL, log_odds
+from priorlab.plot.style import BLACK, BLUE, GREEN, PINK, RED, SKY, finish, given_or_new
 
-COLOURS = ("#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9")
+COLOURS = (BLACK, BLUE, RED, GREEN, PINK, SKY)
 LINES = ("-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)), (0, (1, 1)))
 P_TICKS = (0.01, 0.05, 0.1, 0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95, 0.99)
 
@@ -27,23 +27,18 @@ def log_odds_curve(ax: Axes | None = None, marks: Sequence[float] = (), linear: 
     marks : probabilities to point out
     linear : ends of the shaded part
     """
-    ax = ax or plt.gca()
+    ax = given_or_new(ax, 6.5, 3.8)
     p = np.linspace(0.005, 0.995, 397)
     ax.axvspan(*linear, color="0.9", lw=0)
     ax.axhline(0, color="0.5", lw=0.8)
-    ax.plot(p, log_odds(p), color=COLOURS[1], lw=2)
+    ax.plot(p, log_odds(p), color=BLUE, lw=2)
     for mark in marks:
-        ax.plot(mark, float(log_odds(mark)), "o", color=COLOURS[2])
-        ax.annotate(
-            f"l({mark:g}) = {float(log_odds(mark)):.2f}", (mark, float(log_odds(mark))), (8, -4), textcoords="offset points"
-        )
-    ax.set(
-        xlabel="P(empty):  0 = wall, 1 = empty",
-        ylabel="log odds l",
-        xlim=(0, 1),
-        title="ln(p / (1 - p)), nearly straight where shaded",
-    )
-    return ax
+        at = float(log_odds(mark))
+        ax.plot(mark, at, "o", color=RED)
+        side, anchor = ((8, -12), "left") if mark <= 0.5 else ((-8, 4), "right")
+        ax.annotate(f"l({mark:g}) = {at:.2f}", (mark, at), side, textcoords="offset points", ha=anchor)
+    ax.set_xlim(0, 1)
+    return finish(ax, "ln(p / (1 - p)), nearly straight where shaded", "P(empty):  0 = wall, 1 = empty", "log odds l")
 
 
 def flip_lines(
@@ -63,7 +58,7 @@ def flip_lines(
     after : for each label, (N,) log odds after those readings
     pivot : P(empty) of the sensor model; there all lines of equal readings meet when lam = 1
     """
-    ax = ax or plt.gca()
+    ax = given_or_new(ax, 7.0, 4.2)
     start = log_odds(p_prior)
     for (label, values), colour, line in zip(after.items(), COLOURS, LINES, strict=False):
         ax.plot(start, np.asarray(values), color=colour, ls=line, lw=2, label=label)
@@ -71,14 +66,13 @@ def flip_lines(
     edge = float(log_odds(threshold))
     ax.axhspan(min(low, edge) - 1, edge, color="0.9", lw=0)
     ax.axhline(edge, color="0.4", lw=0.8, ls=":")
-    ax.text(start[-1], edge - 0.15, f"detected as wall: P(empty) <= {threshold:g}", ha="right", va="top", fontsize=8)
+    ax.text(start[0] + 0.1, min(low, edge) - 0.8, f"shaded: detected as wall, P(empty) <= {threshold:g}", va="bottom", fontsize=8)
     if pivot is not None:
         at = float(log_odds(pivot))
         ax.plot(at, at, "o", ms=9, mfc="none", mec="black")
-        ax.annotate(f"the sensor's own {pivot:g}", (at, at), (8, 8), textcoords="offset points", fontsize=8)
+        ax.annotate(f"the sensor's own {pivot:g}", (at, at), (0, 14), textcoords="offset points", fontsize=8, ha="center")
     ticks = [p for p in P_TICKS if start[0] <= log_odds(p) <= start[-1]]
     ax.set_xticks([float(log_odds(p)) for p in ticks], [f"{p:g}" for p in ticks])
-    ax.set(xlabel="prior, P(empty), effective (spaced by log odds)", ylabel="log odds after the readings")
     ax.set_xlim(start[0], start[-1])
     ax.legend(fontsize=8)
-    return ax
+    return finish(ax, None, "effective prior P(empty), spaced by log odds", "log odds after the readings")

@@ -14,9 +14,9 @@ from priorlab.core.score import Score, score_map
 from priorlab.mapping.overruled import OverruledSensorWarning, overruled_readings
 from priorlab.mapping.prior import build_prior_map
 from priorlab.mapping.update import update_map
+from priorlab.plot.extraction import LEGEND, scored_image
 from priorlab.widgets.lab import Lab, table
 from priorlab.widgets.picture import Picture
-from priorlab.widgets.scored import LEGEND, reduced, scored_picture
 from priorlab.widgets.sliders import Slider
 
 PRESETS: dict[str, dict[str, float]] = {
@@ -58,8 +58,7 @@ class MapLab(Lab):
         threshold: float = DETECTED_WALL,
         width: int = 400,
     ) -> None:
-        self._walls, self._evidence, self._truth = walls, evidence, truth
-        self._threshold, self._width = threshold, width
+        self._walls, self._evidence, self._truth, self._threshold = walls, evidence, truth, threshold
         self.uninformed_score = self._update(Prior.uninformed(), lam)[2]  # l0 = 0: the same for every lam
         self.p_wall = Slider("p_wall", p_wall, 0.05, 1.0, 0.01, "P(empty) where the plan shows a wall, before the factor 0.9")
         self.p_space = Slider("p_space", p_space, 0.05, 1.0, 0.01, "P(empty) where the plan shows space, before the factor 0.9")
@@ -74,7 +73,7 @@ class MapLab(Lab):
         self.prior_map, self.map, self.score = self._update(self.prior, lam)
         self.prior_score = score_map(self.prior_map, self._truth, self._threshold)
         self.pictures[0].show(grey_of(self.map.p_empty), f"The map {self._walls.name}, white = empty. {self.summary()}")
-        counted = reduced(scored_picture(self.map, self._truth, self._threshold), self._width)
+        counted = scored_image(self.map.grid.to_image(self.map.detected(self._threshold)), self._truth)
         self.pictures[1].show(counted, f"What the score counts. {LEGEND}. {_line(self.score)}")
         broken = overruled_readings(self.prior, sensor.p_free, sensor.p_occupied, lam)
         rows = [

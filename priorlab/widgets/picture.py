@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import anywidget
+import cv2
 import numpy as np
 import traitlets
 from numpy.typing import NDArray
@@ -66,6 +67,9 @@ class Picture(anywidget.AnyWidget):
 
     def show(self, pixels: NDArray[np.uint8], alt: str) -> None:
         """Show a grey (height, width) or RGB (height, width, 3) image."""
+        if 0 < self.width < pixels.shape[1]:  # no wider than it is shown: thin walls stay visible, and less has to travel
+            size = (self.width, max(1, round(pixels.shape[0] * self.width / pixels.shape[1])))
+            pixels = np.asarray(cv2.resize(pixels, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
         with self.hold_sync():  # one message: picture and words never disagree
             self.mime, self.image, self.alt = "image/png", encode_png(pixels), alt
 

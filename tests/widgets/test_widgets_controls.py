@@ -36,6 +36,14 @@ def test_picture_show_holds_the_very_pixels_and_the_words():
     assert (back == pixels).all() and picture.alt == "twelve greys" and picture.mime == "image/png"
 
 
+def test_picture_wider_than_shown_is_reduced_and_keeps_thin_walls():
+    picture, pixels = Picture(width=50), np.full((80, 200), 255, dtype=np.uint8)
+    pixels[:, 101] = 0
+    picture.show(pixels, "one thin wall")
+    back = cv2.imdecode(np.frombuffer(picture.image, np.uint8), cv2.IMREAD_GRAYSCALE)
+    assert back.shape == (20, 50) and (back[:, 25] < 200).all() and (np.delete(back, 25, axis=1) == 255).all()
+
+
 def test_picture_shows_alt_text_sharp_pixels_in_the_browser():
     assert 'img.alt = model.get("alt")' in Picture._esm and '"auto" : "pixelated"' in Picture._esm
 
