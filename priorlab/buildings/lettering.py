@@ -1,0 +1,87 @@
+"""Letters as polygons: the outlines of DejaVu Sans, the font that Matplotlib carries, so that text is the same everywhere."""
+
+from __future__ import annotations
+
+import functools
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+_UNITS = 64.0  # FreeType counts in 1/64 points
+_POINTS = 100
+
+
+def text_polygons(text: str) -> list[NDArray[np.float64]]:
+    """(N, 2) polygons of a line of text: x right, y up, base line at 0, capital letters 1 high.
+
+    Holes are polygons too: fill them together, by the even-odd rule.
+    """
+    polygons, pen = [], 0.0
+    for letter in text:
+        outlines, advance = _letter(letter)
+        polygons += [outline + (pen, 0.0) for outline in outlines]
+        pen += advance
+    return polygons
+
+
+@functools.lru_cache(maxsize=512)
+def _letter(letter: str) -> tuple[tuple[NDArray[np.float64], ...], float]:
+    """The outlines of one letter and how far the pen moves on."""
+    font, capital = _font()
+    glyph = font.load_char(ord(letter), flags=_no_hinting())
+    points, codes = font.get_path()
+    outlines = tuple(outline / capital for outline in _flattened(np.asarray(points), np.asarray(codes)))
+    return outlines, glyph.linearHoriAdvance / 65536 / capital
+
+
+@functools.lru_cache(maxsize=1)
+def _font() -> tuple[Any, float]:
+    """The font and the height of its capitals, in its own units. Matplotlib's font search is slow and is not asked."""
+    import matplotlib
+    from matplotlib.ft2font import FT2Font
+
+    font = FT2Font(str(Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"))
+    font.set_size(_POINTS, 72)
+    font.load_char(ord("H"), flags=_no_hinting())
+    points, _ = font.get_path()
+    return font, float(np.asarray(points)[:, 1].max())
+
+
+def _no_hinting() -> Any:
+    """FreeType's flag for outlines as they were designed."""
+    from matplotlib.ft2font import LoadFlags
+
+    return LoadFlags.NO_HINTING
+
+
+def _flattened(points: NDArray[np.float64], codes: NDArray[np.uint8]) -> list[NDArray[np.float64]]:
+    """A path of straight and curved pieces (1 move, 2 line, 3 quadratic, 4 cubic, 79 close) as polygons."""
+    polygons: list[NDArray[np.float64]] = []
+    corner: list[NDArray[np.float64]] = []
+    share = np.linspace(0.25, 1.0, 4)[:, None]
+    at = 0
+    while at < len(codes):
+        code = int(codes[at])
+        if code in (1, 79):
+            if len(corner) > 2:
+                polygons.append(np.array(corner))
+            corner = [points[at]] if code == 1 else []
+            at += 1
+        elif code == 2:
+            corner.append(points[at])
+            at += 1
+        elif code == 3:
+            start, (control, end) = corner[-1], points[at : at + 2]
+            corner += list((1 - share) ** 2 * start + 2 * share * (1 - share) * control + share**2 * end)
+            at += 2
+        else:
+            start, (one, two, end) = corner[-1], points[at : at + 3]
+            corner += list(
+                (1 - share) ** 3 * start + 3 * share * (1 - share) ** 2 * one + 3 * share**2 * (1 - share) * two + share**3 * end
+            )
+            at += 3
+    if len(corner) > 2:
+        polygons.append(np.array(corner))
+    return polygons
