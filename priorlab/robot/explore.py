@@ -35,7 +35,8 @@ def explore(
     survey : (N, 3) poses x, y, theta; pixels, y up
     sensor : range and opening of the cone; `RangeSensor()` by default
     rng : draws the noise; not needed for exact ranges
-    noise : faults of the sensor (thesis 5.3), in pixels
+    noise : faults of the sensor (thesis 5.3), in pixels. These readings cannot say "missing": a lost one reads as "nothing
+        within range", which is the harm that drop-outs do to a robot that trusts them
     repeats : readings per pose, each with its own noise (thesis 5.3 takes 1 and 3)
 
     Returns
@@ -65,6 +66,7 @@ def explore(
         poses, ranges = np.repeat(poses, repeats, axis=0), np.repeat(ranges, repeats, axis=0)
     if noise != EXACT:
         ranges = disturb(ranges, noise, sensor.max_range, rng)
+        ranges[np.isnan(ranges)] = np.inf
     return Readings(poses, ranges, bearings, sensor, building.obstacles.shape)
 
 

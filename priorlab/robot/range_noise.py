@@ -16,7 +16,7 @@ class RangeNoise:
     ----------
     deviation : standard deviation of a range, in the unit of the ranges
     outlier_rate : share of readings that are anything between `min_range` and the end of the range
-    dropout_rate : share of readings that do not come back
+    dropout_rate : share of readings that are missing
     min_range : nearer obstacles give no return (the blind zone)
     """
 
@@ -38,7 +38,7 @@ class RangeNoise:
 def disturb(
     ranges: NDArray[np.float64], noise: RangeNoise, max_range: float, rng: np.random.Generator | None
 ) -> NDArray[np.float64]:
-    """Ranges as a faulty sensor reports them; inf = no return.
+    """Ranges as a faulty sensor reports them; inf = no return, nan = no reading.
 
     The same number of draws is taken whatever the ranges and the rates are, so that one fault can be changed
     and the others stay as they were.
@@ -64,5 +64,5 @@ def disturb(
     )
     measured = ranges + noise.deviation * spread
     measured = np.where(is_outlier, noise.min_range + (max_range - noise.min_range) * random_range, measured)
-    lost = is_lost | (measured < noise.min_range) | (measured > max_range)
-    return np.where(lost, np.inf, measured.clip(0.0))
+    measured = np.where((measured < noise.min_range) | (measured > max_range), np.inf, measured.clip(0.0))
+    return np.where(is_lost, np.nan, measured)
