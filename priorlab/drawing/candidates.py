@@ -1,0 +1,94 @@
+"""Candidates for doors, and the tests that decide about them one after the other: every rejection keeps its reason."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.drawing import Door
+
+TESTS = (
+    "connectivity",
+    "geometry",
+    "orientation",
+    "symbol",
+    "open side",
+    "jamb support",
+    "dark share",
+    "overlap",
+    "size mode",
+    "outer walls",
+)
+"""Names of the tests, in their order. A candidate's reason is the position of the test that it failed; -1 = a door."""
+
+DOOR = -1
+
+
+@dataclass(frozen=True, eq=False)
+class DoorSearch:
+    """Everything the search for doors saw, in pixels of the drawing.
+
+    Parameters
+    ----------
+    corners : (N, 2) x, y
+    edges : (E, 2) indices of connected corners, each pair once
+    candidates : (K, 3) indices of corners: the tip, and the two ends of the side that is open
+    reasons : (K,) position in `TESTS` of the test that a candidate failed, `DOOR` for a door
+    doors : the doors
+    """
+
+    corners: NDArray[np.float64]
+    edges: NDArray[np.int64]
+    candidates: NDArray[np.int64]
+    reasons: NDArray[np.int8]
+    doors: tuple[Door, ...]
+
+    @property
+    def funnel(self) -> Mapping[str, int]:
+        """How many candidates each test leaves, in order; first all wedges of two connected sides."""
+        left = {"wedges": len(self.candidates)}
+        alive = np.ones(len(self.reasons), dtype=bool)
+        for position, name in enumerate(TESTS):
+            alive &= self.reasons != position
+            left[name] = int(alive.sum())
+        return left
+
+    def rejected_by(self, test: str) -> NDArray[np.float64]:
+        """(R, 3, 2) triangles that failed one test, by its name.
+
+        Raises
+        ------
+        ValueError
+            When no test has this name.
+        """
+        if test not in TESTS:
+            raise ValueError(f"test must be one of {', '.join(TESTS)}, got {test!r}")
+        return self.corners[self.candidates[self.reasons == TESTS.index(test)]]
+
+
+def wedges(connected: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """All wedges of a graph: a corner and two others connected to it.
+
+    Parameters
+    ----------
+    connected : (N, N) symmetric bool
+
+    Returns
+    -------
+    (K, 3) tip and two ends, ends in ascending order
+
+    >>> graph = np.zeros((3, 3), dtype=bool)
+    >>> graph[0, 1] = graph[1, 0] = graph[1, 2] = graph[2, 1] = True
+    >>> wedges(graph).tolist()
+    [[1, 0, 2]]
+    """
+    found = [np.empty((0, 3), dtype=np.int64)]
+    for tip, row in enumerate(connected):
+        ends = np.flatnonzero(row)
+        if ends.size > 1:
+            first, second = np.triu_indices(ends.size, k=1)
+            found.append(np.column_stack([np.full(first.size, tip), ends[first], ends[second]]))
+    return np.concatenate(found)

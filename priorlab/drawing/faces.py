@@ -1,0 +1,115 @@
+"""Walls between faces: the gap between two long strokes that run side by side is the inside of a wall.
+
+That makes one thing of filled, hollow and hatched walls. M is the long side of the drawing.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.drawing.preprocessing import large_components
+from priorlab.drawing.runs import gaps_between, grow_along, run_lengths
+
+FACE_LENGTH = 0.02
+"""Shortest face of a wall, share of M."""
+
+WALL_THICKNESS = 0.02
+"""Thickest hollow wall, share of M."""
+
+CELL_COVERED = 0.4
+"""A thin cell is wall when so much of it is."""
+
+PIECE_LENGTH = 0.03
+"""Shortest piece of wall that stays, share of M."""
+
+HATCHED = (0.12, 0.50)
+"""Share of ink between the faces of a hatched wall."""
+
+
+def thin_cells(ink: NDArray[np.bool_], long_side: int) -> NDArray[np.int32]:
+    """Number the white areas, enclosed by ink, that are nowhere wider than a wall; 0 elsewhere.
+
+    Insides of hollow walls and of hatching are such cells, and so are treads and panes.
+    """
+    n_cells, labels = cv2.connectedComponents((~ink).astype(np.uint8), connectivity=4)
+    inside = cv2.distanceTransform(np.pad(~ink, 1, constant_values=False).astype(np.uint8), cv2.DIST_C, 3)[1:-1, 1:-1]
+    wide = np.zeros(n_cells, dtype=bool)
+    wide[labels[inside > WALL_THICKNESS * long_side / 2 + 0.5]] = True
+    wide[0] = True
+    return np.where(wide[labels], 0, labels).astype(np.int32)
+
+
+def walls_between(
+    faces: NDArray[np.bool_], ink: NDArray[np.bool_], cells: NDArray[np.int32], long_side: int
+) -> NDArray[np.bool_]:
+    """Walls from the ink of their faces.
+
+    Parameters
+    ----------
+    faces : (height, width) bool, ink taken for the faces (of a filled wall: all of it)
+    ink : (height, width) bool, ink along which a face may go on
+    cells : (height, width) thin cells
+    long_side : M, pixels
+
+    Returns
+    -------
+    (height, width) bool
+    """
+    length, thickness = FACE_LENGTH * long_side, WALL_THICKNESS * long_side
+    walls = np.zeros_like(faces)
+    for axis in (0, 1):
+        face = long_runs(faces, length, axis)
+        face = grow_along(face, long_runs(ink, length, axis), axis)
+        gap = gaps_between(face, thickness, 1 - axis)
+        walls |= face | long_runs(gap, length, axis)
+    walls |= covered_cells(walls, cells)
+    return tidy(walls, long_side)
+
+
+def hatch_bands(faces: NDArray[np.bool_], ink: NDArray[np.bool_], cells: NDArray[np.int32], long_side: int) -> NDArray[np.bool_]:
+    """Bands between long strokes of any weight that are filled with hatching: 12 to 50 % ink."""
+    length, thickness = FACE_LENGTH * long_side, WALL_THICKNESS * long_side
+    bands = np.zeros_like(faces)
+    for axis in (0, 1):
+        face = long_runs(ink, length, axis)
+        gap = long_runs(gaps_between(face, thickness, 1 - axis), length, axis)
+        inked = cv2.blur((ink & gap).astype(np.float32), _window(length, axis))
+        area = np.maximum(cv2.blur(gap.astype(np.float32), _window(length, axis)), 1e-6)
+        share = inked / area
+        bands |= gap & (share >= HATCHED[0]) & (share <= HATCHED[1])
+    solid = bands | faces
+    return tidy(solid, long_side) & (bands | grow_near(bands, ink))
+
+
+def grow_near(seeds: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Ink within three pixels of the seeds."""
+    return ink & cv2.dilate(seeds.astype(np.uint8), np.ones((7, 7), np.uint8)).astype(bool)
+
+
+def covered_cells(walls: NDArray[np.bool_], cells: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Thin cells of which walls cover at least `CELL_COVERED`, whole."""
+    area = np.bincount(cells.ravel())
+    covered = np.bincount(cells[walls], minlength=len(area))
+    take = covered >= CELL_COVERED * np.maximum(area, 1)
+    take[0] = False
+    return take[cells]
+
+
+def long_runs(mask: NDArray[np.bool_], length: float, axis: int) -> NDArray[np.bool_]:
+    """Pixels in runs of at least `length` along an axis."""
+    return run_lengths(mask, axis) >= max(length, 1)
+
+
+def tidy(walls: NDArray[np.bool_], long_side: int) -> NDArray[np.bool_]:
+    """Close cracks of a few pixels, open away hairs, drop pieces shorter than `PIECE_LENGTH`."""
+    closed = cv2.morphologyEx(walls.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((5, 5), np.uint8))
+    clean = cv2.morphologyEx(closed, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)).astype(bool)
+    return large_components(clean, PIECE_LENGTH * long_side)
+
+
+def _window(length: float, axis: int) -> tuple[int, int]:
+    """Window (width, height) as long as a face along its axis and narrow across."""
+    along = int(length) | 1
+    return (along, 5) if axis == 1 else (5, along)

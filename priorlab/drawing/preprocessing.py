@@ -1,0 +1,128 @@
+"""From an image to ink: the distance of every pixel from the paper, and masks of it at two thresholds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.drawing import Drawing
+from priorlab.drawing.method import Method
+
+LEAST_CONTRAST = 12
+"""Nothing fainter than this, of 255, is ink."""
+
+
+@dataclass(frozen=True, eq=False)
+class Sheet:
+    """A drawing made ready: what is ink, how dark, in the pixels we work in.
+
+    Parameters
+    ----------
+    darkness : (height, width) uint8, largest channel distance from the colour of the paper
+    lines : (height, width) bool, all ink, thin grey leaves and arcs included
+    walls : (height, width) bool, ink dark enough for a wall
+    hue : (height, width) uint8 hue in 0-179, or 255 where a pixel has no colour
+    scale : working pixels per pixel of the drawing that came in
+    inverted : True when the paper is darker than the ink
+    input_shape : (height, width) of the drawing that came in
+    """
+
+    darkness: NDArray[np.uint8]
+    lines: NDArray[np.bool_]
+    walls: NDArray[np.bool_]
+    hue: NDArray[np.uint8]
+    scale: int
+    inverted: bool
+    input_shape: tuple[int, int]
+
+    @property
+    def long_side(self) -> int:
+        """M, the long side in working pixels."""
+        return max(self.lines.shape)
+
+    def to_input(self, mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """A mask in working pixels as one in the drawing's own pixels."""
+        if self.scale == 1:
+            return mask
+        height, width = self.input_shape
+        share = mask.reshape(height, self.scale, width, self.scale).mean(axis=(1, 3))
+        return share >= 0.5
+
+    def to_work(self, mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """A mask in the drawing's own pixels as one in working pixels."""
+        return mask.repeat(self.scale, axis=0).repeat(self.scale, axis=1) if self.scale > 1 else mask
+
+
+def prepare(drawing: Drawing, method: Method) -> Sheet:
+    """Find the paper, the ink and its colours.
+
+    The paper is the median colour, so a white-on-black drawing needs no other treatment than a black-on-white one.
+    A small drawing is doubled first (`Method.upscale_below`).
+    """
+    image = drawing.grey if drawing.colour is None else drawing.colour
+    scale = 2 if max(drawing.shape) < method.upscale_below else 1
+    if scale > 1:
+        image = np.asarray(cv2.resize(image, None, fx=scale, fy=scale, interpolation=cv2.INTER_CUBIC), dtype=np.uint8)
+    darkness = paper_distance(image)
+    wall_darkness = _wall_threshold(darkness, image) if method.wall_darkness is None else method.wall_darkness
+    line_darkness = min(method.line_darkness, wall_darkness)
+    return Sheet(
+        darkness=darkness,
+        lines=darkness > line_darkness,
+        walls=darkness > wall_darkness,
+        hue=_hue(image),
+        scale=scale,
+        inverted=bool(np.median(drawing.grey) < 128),
+        input_shape=drawing.shape,
+    )
+
+
+def paper_distance(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Largest channel distance of every pixel from the median colour, the paper.
+
+    Parameters
+    ----------
+    image : (height, width) grey or (height, width, 3) colour, uint8
+
+    >>> paper_distance(np.array([[255, 255, 0]], dtype=np.uint8)).tolist()
+    [[0, 0, 255]]
+    """
+    paper = np.median(image.reshape(-1, *image.shape[2:]), axis=0).astype(np.uint8)
+    if image.ndim == 2:
+        return np.asarray(cv2.absdiff(image, np.full_like(image, paper)), dtype=np.uint8)
+    channels = [cv2.absdiff(image[..., c], np.full(image.shape[:2], paper[c], dtype=np.uint8)) for c in range(3)]
+    return np.asarray(np.maximum.reduce(channels), dtype=np.uint8)
+
+
+def large_components(ink: NDArray[np.bool_], min_length: float) -> NDArray[np.bool_]:
+    """Ink of 8-connected components whose longer side is at least `min_length` pixels: lines and walls, no text."""
+    _, labels, stats, _ = cv2.connectedComponentsWithStats(ink.astype(np.uint8), connectivity=8)
+    keep = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) >= min_length
+    keep[0] = False
+    return keep[labels]
+
+
+def _wall_threshold(darkness: NDArray[np.uint8], image: NDArray[np.uint8]) -> int:
+    """Otsu's threshold, half of it when more than 30 % of the ink is coloured."""
+    otsu, _ = cv2.threshold(darkness, 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
+    ink = darkness > max(otsu, LEAST_CONTRAST)
+    coloured = ink & (_hue(image) != NO_HUE)
+    if ink.any() and coloured.sum() > 0.3 * ink.sum():
+        otsu /= 2
+    return int(max(otsu, LEAST_CONTRAST))
+
+
+NO_HUE = 255
+"""Mark of a pixel without colour."""
+
+
+def _hue(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Hue in 0-179 of every pixel whose channels differ by more than 40; `NO_HUE` elsewhere."""
+    if image.ndim == 2:
+        return np.full(image.shape, NO_HUE, dtype=np.uint8)
+    hue = cv2.cvtColor(image, cv2.COLOR_RGB2HSV)[..., 0]
+    spread = np.ptp(image, axis=2)
+    return np.where(spread > 40, hue, NO_HUE).astype(np.uint8)

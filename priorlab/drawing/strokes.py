@@ -1,0 +1,93 @@
+"""Line weight: how thick is the stroke that a pixel of ink belongs to?"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.drawing.runs import grow_along, run_lengths
+
+
+def stroke_widths(ink: NDArray[np.bool_], largest: int = 24) -> NDArray[np.uint8]:
+    """Side of the largest square of ink that covers each pixel, up to `largest` (a granulometry).
+
+    >>> ink = np.zeros((6, 8), dtype=bool); ink[1] = True; ink[3:6, 2:7] = True
+    >>> stroke_widths(ink).max(axis=1).tolist()
+    [0, 1, 0, 3, 3, 3]
+    """
+    widths = ink.astype(np.uint8)
+    for side in range(2, largest + 1):
+        covered = opened(ink, side)
+        if not covered.any():
+            break
+        widths[covered] = side
+    return widths
+
+
+def opened(ink: NDArray[np.bool_], side: int) -> NDArray[np.bool_]:
+    """Ink that a square of `side` pixels fits into.
+
+    The anchor of the dilation is the reflected anchor of the erosion: with an even side `cv2.MORPH_OPEN` would leak.
+    """
+    if side > min(ink.shape):
+        return np.zeros_like(ink)
+    square = np.ones((side, side), np.uint8)
+    low, high = (0, 0), (side - 1, side - 1)
+    eroded = cv2.erode(ink.astype(np.uint8), square, anchor=low, borderType=cv2.BORDER_CONSTANT, borderValue=0)
+    return np.asarray(cv2.dilate(eroded, square, anchor=high), dtype=bool)
+
+
+def thinner_run(mask: NDArray[np.bool_]) -> NDArray[np.int32]:
+    """The shorter of the horizontal and the vertical run through every pixel: how thick a wall is there."""
+    return np.minimum(run_lengths(mask, 0), run_lengths(mask, 1))
+
+
+def common_thickness(mask: NDArray[np.bool_]) -> float:
+    """The commonest wall thickness by area, pixels; 0 of nothing.
+
+    >>> mask = np.zeros((20, 40), dtype=bool); mask[2:8] = True; mask[12] = True
+    >>> common_thickness(mask)
+    6.0
+    """
+    thickness = thinner_run(mask)[mask]
+    return float(np.bincount(thickness).argmax()) if thickness.size else 0.0
+
+
+def strip_strokes(mask: NDArray[np.bool_], share: float) -> NDArray[np.bool_]:
+    """Walls without the strokes that hang on them: nothing thinner than a share of the commonest thickness stays.
+
+    >>> mask = np.zeros((20, 40), dtype=bool); mask[2:8] = True; mask[8:, 5] = True
+    >>> strip_strokes(mask, 0.5)[:, 5].sum()
+    np.int64(6)
+    """
+    side = int(np.ceil(share * common_thickness(mask)))
+    return opened(mask, side) if side > 1 else mask
+
+
+def bridge_windows(walls: NDArray[np.bool_], ink: NDArray[np.bool_], longest: float) -> NDArray[np.bool_]:
+    """Ink of windows: thin dark runs of at most `longest` pixels that join two pieces of wall along an axis.
+
+    Parameters
+    ----------
+    walls : (height, width) bool, what was kept
+    ink : (height, width) bool, all ink
+    longest : pixels
+    """
+    rest = ink & ~walls
+    found = np.zeros_like(walls)
+    for axis in (0, 1):
+        before, after = _neighbours(walls, axis)
+        short = rest & (run_lengths(rest, axis) <= longest)
+        found |= grow_along(short & before, short, axis) & grow_along(short & after, short, axis)
+    return found
+
+
+def _neighbours(mask: NDArray[np.bool_], axis: int) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Where the pixel before, and where the pixel after, along an axis is in the mask."""
+    before, after = np.zeros_like(mask), np.zeros_like(mask)
+    if axis == 1:
+        before[:, 1:], after[:, :-1] = mask[:, :-1], mask[:, 1:]
+    else:
+        before[1:], after[:-1] = mask[:-1], mask[1:]
+    return before, after

@@ -1,0 +1,136 @@
+"""Walls: grown from doors, or chosen by line weight, or both with each correcting the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.drawing import EMPTY, WALL, Door, Drawing, Walls
+from priorlab.drawing.corners import corners_of
+from priorlab.drawing.door_ink import door_ink, scaled_doors
+from priorlab.drawing.method import ROBUST, Method
+from priorlab.drawing.outer_walls import outer_walls
+from priorlab.drawing.preprocessing import Sheet, large_components, prepare
+from priorlab.drawing.strokes import bridge_windows, strip_strokes
+from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
+from priorlab.drawing.weight import Hypothesis, judged, weight_hypotheses, with_hatching
+
+
+DOORS_ALONE = 0.3
+"""Weight of the walls grown from doors alone beside those of line weight: they know no insides and follow any line."""
+
+
+@dataclass(frozen=True, eq=False)
+class WallSearch:
+    """Everything the search for walls saw; all masks in pixels of the drawing.
+
+    Parameters
+    ----------
+    outer : (height, width) bool, outer walls (eq. 3.12)
+    sweeps : walls after the jambs' runs and after each sweep
+    hypotheses : what doors, weights and hues each take for walls
+    chosen : name of the hypothesis that was taken
+    walls : (height, width) bool, the result
+    """
+
+    outer: NDArray[np.bool_]
+    sweeps: tuple[NDArray[np.bool_], ...]
+    hypotheses: tuple[Hypothesis, ...]
+    chosen: str
+    walls: NDArray[np.bool_]
+
+
+def detect_walls(drawing: Drawing, doors: Sequence[Door], method: Method = ROBUST) -> Walls:
+    """The walls of a drawing, from its doors (`THESIS`), or from its doors and the weight of its lines (`ROBUST`).
+
+    Parameters
+    ----------
+    drawing : the drawing
+    doors : as `detect_doors` gives them, in pixels of the drawing
+    method : its sources and thresholds
+
+    Returns
+    -------
+    labels in the drawing's own pixels; all empty when there is nothing to begin with
+    """
+    sheet = prepare(drawing, method)
+    return as_walls(drawing, search_walls(sheet, doors, corners_of(sheet, method.n_corners, method), method).walls)
+
+
+def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float64], method: Method = ROBUST) -> WallSearch:
+    """`detect_walls`, with everything it saw. `corners` are in working pixels, `doors` in the drawing's."""
+    scaled = scaled_doors(doors, sheet.scale)
+    large = method.component_share > 0
+    ink = large_components(sheet.walls, method.component_share * sheet.long_side) if large else sheet.walls
+    outer = outer_walls(ink, corners, method.outer_tolerance)
+    symbols = door_ink(sheet, scaled) if method.sources == "both" else np.zeros_like(ink)
+    sweeps = sweeps_from(ink & ~symbols, outer if method.sources == "doors" else np.zeros_like(ink), scaled, method)
+    guided = strip_strokes(sweeps[-1], method.strip_share) if method.strip_share else sweeps[-1]
+    if method.sources == "doors":
+        hypotheses: tuple[Hypothesis, ...] = (Hypothesis("doors", guided, float(guided.any())),)
+        chosen, walls = "doors", guided
+    else:
+        hypotheses = (judged("doors", guided, sheet.long_side), *weight_hypotheses(sheet, method.component_share))
+        best = choose(hypotheses, scaled, symbols)
+        if best.name != "doors":
+            best = with_hatching(best, sheet, method.component_share)
+        chosen, walls = best.name, best.walls & ~(symbols & ~guided)
+    if method.bridge_widths and scaled and walls.any():
+        longest = method.bridge_widths * float(np.median([door.width for door in scaled]))
+        walls = walls | (bridge_windows(walls, sheet.lines, longest) & ~symbols)
+    return WallSearch(
+        outer=sheet.to_input(outer),
+        sweeps=tuple(sheet.to_input(stage) for stage in sweeps),
+        hypotheses=tuple(Hypothesis(h.name, sheet.to_input(h.walls), h.quality) for h in hypotheses),
+        chosen=chosen,
+        walls=sheet.to_input(walls),
+    )
+
+
+def sweeps_from(
+    ink: NDArray[np.bool_], outer: NDArray[np.bool_], doors: Sequence[Door], method: Method
+) -> tuple[NDArray[np.bool_], ...]:
+    """Walls after the jambs' runs and after every sweep, from all doors at once.
+
+    Horizontal doors begin with a horizontal sweep, vertical ones with a vertical one (3.3.1); the outer walls join the jambs'
+    runs at the start.
+    """
+    stages = [outer & ink] * (method.n_sweeps + 1)
+    for way, first in (("h", HORIZONTAL), ("v", VERTICAL)):
+        some = [door for door in doors if orientation(door) == way]
+        if some:
+            grown = sweep_walls(ink, outer | jamb_runs(ink, some, method.reach), first, method.n_sweeps)
+            stages = [stage | more for stage, more in zip(stages, grown, strict=True)]
+    return tuple(stages)
+
+
+def choose(hypotheses: Sequence[Hypothesis], doors: Sequence[Door], symbols: NDArray[np.bool_]) -> Hypothesis:
+    """The most wall-like hypothesis in the light of the doors: jambs stand on walls, leaves and arcs are none."""
+
+    def worth(hypothesis: Hypothesis) -> float:
+        trust = DOORS_ALONE if hypothesis.name == "doors" else 1.0
+        return trust * hypothesis.quality * door_agreement(hypothesis.walls, doors, symbols)
+
+    return max(hypotheses, key=worth)
+
+
+def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDArray[np.bool_], reach: int = 4) -> float:
+    """How well walls and doors fit: jambs on the walls, and no leaf or arc among them; 1 at best and without doors."""
+    if not doors:
+        return 1.0
+    near = cv2.dilate(walls.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)).astype(bool)
+    jambs = np.rint([jamb for door in doors for jamb in (door.hinge, door.strike)]).astype(int)
+    x, y = np.clip(jambs, 0, [walls.shape[1] - 1, walls.shape[0] - 1]).T
+    on_walls = near[y, x].mean()
+    mistaken = walls[symbols].mean() if symbols.any() else 0.0
+    return float((0.2 + 0.8 * on_walls) * (1 - 0.8 * mistaken))
+
+
+def as_walls(drawing: Drawing, mask: NDArray[np.bool_]) -> Walls:
+    """A mask as the record of a drawing's walls."""
+    labels = np.where(mask, WALL, EMPTY).astype(np.uint8)
+    return Walls(labels, metres_per_pixel=drawing.metres_per_pixel, name=drawing.name)

@@ -1,0 +1,118 @@
+"""Walls by line weight and hue: the cue that the thesis does not use (method page, section 6).
+
+Walls are drawn heavier than text, dimensions and furniture, or in a hue of their own. Several hypotheses are worked out
+("strokes of at least q pixels are faces of walls", "this hue is wall") and the most wall-like result is chosen.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.drawing.faces import hatch_bands, long_runs, thin_cells, walls_between
+from priorlab.drawing.preprocessing import NO_HUE, Sheet, large_components
+from priorlab.drawing.runs import run_lengths
+from priorlab.drawing.strokes import stroke_widths
+
+HEAVIEST = 6
+"""Largest q of a hypothesis."""
+
+HATCH_SHARE = 0.15
+"""Hatch bands are used when they make up so much of the result."""
+
+HUE_BINS = 12
+"""Hues that are told apart, each 15 of OpenCV's 180 wide."""
+
+
+@dataclass(frozen=True, eq=False)
+class Hypothesis:
+    """Walls under one assumption about how they are drawn.
+
+    Parameters
+    ----------
+    name : the assumption
+    walls : (height, width) bool
+    quality : Q, larger is more wall-like
+    """
+
+    name: str
+    walls: NDArray[np.bool_]
+    quality: float
+
+
+def weight_hypotheses(sheet: Sheet, component_share: float = 0.04) -> tuple[Hypothesis, ...]:
+    """Walls under every assumption about weight and hue that the drawing offers, in working pixels."""
+    long_side = sheet.long_side
+    ink = large_components(sheet.walls, component_share * long_side)
+    if not ink.any():
+        return ()
+    widths = stroke_widths(ink, HEAVIEST)
+    cells = thin_cells(ink, long_side)
+    found = []
+    for q in range(2, HEAVIEST + 1):
+        heavy = widths >= q
+        if not heavy.any():
+            break
+        walls = walls_between(heavy, ink, cells, long_side)
+        found.append(judged(f"strokes of at least {q} px", walls, long_side))
+    for hue in _hues(sheet, ink):
+        coloured = ink & _of_hue(sheet.hue, hue)
+        walls = walls_between(coloured, coloured, cells, long_side)
+        found.append(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, long_side))
+    return tuple(found)
+
+
+def with_hatching(best: Hypothesis, sheet: Sheet, component_share: float = 0.04) -> Hypothesis:
+    """The hypothesis and the hatched bands beside it, when there are enough of them."""
+    ink = large_components(sheet.walls, component_share * sheet.long_side)
+    cells = thin_cells(ink, sheet.long_side)
+    bands = hatch_bands(best.walls, ink, cells, sheet.long_side)
+    both = best.walls | bands
+    if (bands & ~best.walls).sum() < HATCH_SHARE * max(int(both.sum()), 1):
+        return best
+    hatched = judged(f"{best.name}, hatched", both, sheet.long_side)
+    return hatched if hatched.quality >= best.quality else best
+
+
+def centre_line(walls: NDArray[np.bool_], long_side: int) -> tuple[float, float]:
+    """Length of the horizontal and of the vertical centre lines, pixels: thin cross-sections of long pieces, counted."""
+    lengths = []
+    for axis in (1, 0):
+        long = long_runs(walls, 0.05 * long_side, axis)
+        across = run_lengths(long, 1 - axis)
+        thin = long & (across <= 0.03 * long_side)
+        lengths.append(float((1.0 / across[thin]).sum()))
+    return lengths[0], lengths[1]
+
+
+def purity(walls: NDArray[np.bool_], long_side: int) -> float:
+    """Share of the walls that lies in long thin runs; 0 of nothing."""
+    if not walls.any():
+        return 0.0
+    across, down = run_lengths(walls, 1), run_lengths(walls, 0)
+    thin, long = 0.03 * long_side, 0.05 * long_side
+    pure = ((across >= long) & (down <= thin)) | ((down >= long) & (across <= thin))
+    return float(pure[walls].mean())
+
+
+def judged(name: str, walls: NDArray[np.bool_], long_side: int) -> Hypothesis:
+    """A hypothesis with Q = sqrt(horizontal x vertical centre line) / M x purity^2."""
+    across, down = centre_line(walls, long_side)
+    return Hypothesis(name, walls, float(np.sqrt(across * down) / long_side * purity(walls, long_side) ** 2))
+
+
+def _hues(sheet: Sheet, ink: NDArray[np.bool_]) -> list[int]:
+    """Bins of hue that hold at least 5 % of the ink, when at least 30 % of it is coloured."""
+    hues = sheet.hue[ink]
+    coloured = hues[hues != NO_HUE]
+    if coloured.size < 0.3 * hues.size:
+        return []
+    counts = np.bincount(coloured.astype(int) * HUE_BINS // 180, minlength=HUE_BINS)
+    return [int(k) for k in np.flatnonzero(counts >= 0.05 * hues.size)]
+
+
+def _of_hue(hue: NDArray[np.uint8], which: int) -> NDArray[np.bool_]:
+    """Pixels whose hue lies in one bin."""
+    return (hue != NO_HUE) & (hue.astype(int) * HUE_BINS // 180 == which)
