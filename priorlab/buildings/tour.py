@@ -12,6 +12,9 @@ from numpy.typing import NDArray
 CLEARANCE_M = 0.22
 """The path stays so far from every obstacle, metres."""
 
+STRAIGHT_M = 0.4
+"""Straightened pieces stay so far from obstacles, or as far as the searched path did where it is narrower, metres."""
+
 STEP_M = 0.1
 """Side of the cells that the path is searched on, metres."""
 
@@ -37,18 +40,23 @@ class Passable:
         """The cell (row, col) of a pixel position, y down."""
         return int(y) // self.step, int(x) // self.step
 
+    def room_m(self, cell: Cell) -> float:
+        """How far the middle of a cell is from the nearest obstacle, metres."""
+        row, col = (index * self.step + self.step // 2 for index in cell)
+        return float(self.clearance_m[row, col])
+
     def xy_m(self, cell: Cell) -> tuple[float, float]:
         """The middle of a cell's sampled pixel in metres, y up."""
         row, col = (index * self.step + self.step // 2 + 0.5 for index in cell)
         return col * self.scale, (self.height - row) * self.scale
 
-    def sees(self, start: Cell, end: Cell) -> bool:
-        """Is the straight line between two cells passable all along?"""
+    def sees(self, start: Cell, end: Cell, keep_m: float) -> bool:
+        """Does the straight line between two cells keep so far from every obstacle?"""
         (x0, y0), (x1, y1) = self.xy_m(start), self.xy_m(end)
         n = max(2, math.ceil(2 * math.hypot(x1 - x0, y1 - y0) / self.scale))
         cols = np.linspace(x0, x1, n) / self.scale
         rows = self.height - np.linspace(y0, y1, n) / self.scale
-        return bool((self.clearance_m[rows.astype(int), cols.astype(int)] >= CLEARANCE_M).all())
+        return bool((self.clearance_m[rows.astype(int), cols.astype(int)] >= keep_m).all())
 
 
 def tour_of(
@@ -170,11 +178,15 @@ def _walk(ground: Passable, root: Cell, branches: list[list[Cell]]) -> list[Cell
 
 
 def _straightened(ground: Passable, leg: list[Cell]) -> list[Cell]:
-    """Fewer corners: each is followed by the farthest cell that it sees without coming nearer to an obstacle than need be."""
+    """Fewer corners: each is followed by the farthest cell that it sees without coming nearer to obstacles than need be."""
     corners, at = [leg[0]], 0
     while at < len(leg) - 1:
         ahead = at + 1
-        while ahead + 1 < len(leg) and ahead - at < 60 and ground.sees(leg[at], leg[ahead + 1]):
+        keep_m = min(STRAIGHT_M, ground.room_m(leg[at]), ground.room_m(leg[ahead]))
+        while ahead + 1 < len(leg):
+            keep_m = min(keep_m, ground.room_m(leg[ahead + 1]))
+            if not ground.sees(leg[at], leg[ahead + 1], keep_m):
+                break
             ahead += 1
         corners.append(leg[ahead])
         at = ahead
