@@ -1,0 +1,81 @@
+"""Writing leaves the old or the new, never a half, and never takes what is the user's."""
+
+import os
+
+import pytest
+
+from priorlab.core.files import check_free, new_folder, write_file
+
+
+def names(folder):
+    """What a folder holds, hidden files too."""
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_new_folder_appears_whole(tmp_path):
+    with new_folder(tmp_path / "deep" / "out") as folder:
+        (folder / "a.txt").write_text("a")
+        assert not (tmp_path / "deep" / "out").exists()
+    assert names(tmp_path / "deep") == ["out"]
+    assert (tmp_path / "deep" / "out" / "a.txt").read_text() == "a"
+
+
+def test_new_folder_leaves_nothing_after_an_error(tmp_path):
+    with pytest.raises(RuntimeError, match="on the way"), new_folder(tmp_path / "out") as folder:
+        (folder / "a.txt").write_text("half")
+        raise RuntimeError("on the way")
+    assert names(tmp_path) == []
+
+
+def test_new_folder_does_not_overwrite(tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "mine.txt").write_text("mine")
+    with pytest.raises(FileExistsError, match="out exists already.*--force"), new_folder(tmp_path / "out"):
+        pytest.fail("the block must not run")
+    assert (tmp_path / "out" / "mine.txt").read_text() == "mine"
+
+
+def test_new_folder_replaces_with_force(tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "old.txt").write_text("old")
+    with new_folder(tmp_path / "out", force=True) as folder:
+        (folder / "new.txt").write_text("new")
+    assert names(tmp_path) == ["out"] and names(tmp_path / "out") == ["new.txt"]
+
+
+def test_new_folder_keeps_the_old_one_when_forced_work_fails(tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "old.txt").write_text("old")
+    with pytest.raises(RuntimeError, match="fails"), new_folder(tmp_path / "out", force=True):
+        raise RuntimeError("fails")
+    assert names(tmp_path) == ["out"] and (tmp_path / "out" / "old.txt").read_text() == "old"
+
+
+def test_write_file_replaces_in_one_step(tmp_path):
+    write_file(tmp_path / "a.txt", "one")
+    write_file(tmp_path / "a.txt", b"two")
+    assert names(tmp_path) == ["a.txt"] and (tmp_path / "a.txt").read_bytes() == b"two"
+
+
+def test_write_file_keeps_the_old_one_when_the_rename_fails(tmp_path, monkeypatch):
+    write_file(tmp_path / "a.txt", "old")
+
+    def fail(*_):
+        raise OSError("disk full")
+
+    monkeypatch.setattr(os, "replace", fail)
+    with pytest.raises(OSError, match="disk full"):
+        write_file(tmp_path / "a.txt", "new")
+    assert names(tmp_path) == ["a.txt"] and (tmp_path / "a.txt").read_text() == "old"
+
+
+def test_written_files_can_be_read_by_others(tmp_path):
+    write_file(tmp_path / "a.txt", "a")
+    assert (tmp_path / "a.txt").stat().st_mode & 0o777 == 0o644
+
+
+def test_check_free_is_silent_where_nothing_stands(tmp_path):
+    assert check_free(tmp_path / "new") is None
+    with pytest.raises(FileExistsError, match="exists already"):
+        check_free(tmp_path)
+    assert check_free(tmp_path, force=True) is None
