@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from priorlab.slam.likelihood_field import LikelihoodField, log_likelihood_of
 from priorlab.slam.scan import Scan
 
-_AT_MOST_ROWS = 32_000  # cv2.remap counts in 16 bits
+_ENDS_AT_ONCE = 80_000  # small enough for one thread: on a busy machine, waiting for a second one took up to 30 ms
+_PARTICLES_AT_ONCE = 32_000  # cv2.remap counts in 16 bits
 
 
 def beam_log_likelihoods(poses: NDArray[np.float64], scan: Scan, field: LikelihoodField) -> NDArray[np.float32]:
@@ -53,7 +54,8 @@ def log_weights(poses: NDArray[np.float64], scan: Scan, field: LikelihoodField) 
     """
     if len(scan) == 0:
         return np.zeros(len(poses))
-    chunks = [poses[start : start + _AT_MOST_ROWS] for start in range(0, len(poses), _AT_MOST_ROWS)]
+    size = max(1, min(_PARTICLES_AT_ONCE, _ENDS_AT_ONCE // len(scan)))
+    chunks = [poses[start : start + size] for start in range(0, len(poses), size)]
     sums = [beam_log_likelihoods(chunk, scan, field).sum(axis=1, dtype=np.float64) for chunk in chunks]
     return field.parameters.temper * np.concatenate(sums)
 
