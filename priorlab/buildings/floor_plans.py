@@ -12,7 +12,7 @@ from priorlab.buildings.layout import Layout, lay_out
 from priorlab.buildings.paper import coverage, fine_mask
 from priorlab.buildings.parts import Description
 from priorlab.buildings.render import render
-from priorlab.buildings.rooms import room_areas_m2, room_regions
+from priorlab.buildings.rooms import indoors, room_areas_m2, room_regions
 from priorlab.buildings.survey import survey_of
 from priorlab.buildings.tour import tour_of
 from priorlab.buildings.truth import truth_of
@@ -79,14 +79,15 @@ def build_floor_plan(
     panes = [window.opening.outline for window in layout.windows]
     walls = wall_masks(layout, shown + panes)
     truth, world = truth_of(layout, walls), world_of(layout)
-    regions = room_regions(layout, coverage(walls.body | fine_mask(layout.frame, panes)) >= 0.5)
+    solid = coverage(walls.body | fine_mask(layout.frame, panes)) >= 0.5
+    regions = room_regions(layout, solid)
     drawing = render(layout, walls, room_areas_m2(layout, regions))
     reach = sensor_range(truth)
     blocked = world.obstacles | truth.obstacles
     spacing = survey_spacing or round(QUICK_SPACING * reach)
     survey = survey_of(list(regions.values()), blocked, description.metres_per_pixel, reach, spacing)
     start, stops = _stops(layout)
-    tour = tour_of(start, stops, world.obstacles, description.metres_per_pixel, tour_share)
+    tour = tour_of(start, stops, world.obstacles | ~indoors(layout, solid), description.metres_per_pixel, tour_share)
     for array in (drawing.grey, truth.walls, truth.ignore, world.obstacles, survey, tour):
         array.setflags(write=False)  # they are shared by everybody who loads this building
     return FloorPlan(name or description.name, drawing, truth, world, survey, tour)

@@ -21,20 +21,19 @@ _SHIFT = 6  # binary digits of a fine pixel that OpenCV is told
 class Paper:
     """A sheet that is drawn on; `picture()` is what it looks like in the drawing's pixels.
 
-    Colours are "#rrggbb". Weights of lines are in pixels, everything else is in the description's metres.
+    Colours are "#rrggbb"; a sheet without `colour` shows their brightness. Weights of lines are in pixels, everything else is
+    in the description's metres.
     """
 
-    def __init__(self, frame: Frame, paper: str = "#ffffff") -> None:
-        height, width = frame.shape
-        self.frame = frame
-        self._fine = np.full((height * FINER, width * FINER, 3), 255, dtype=np.uint8)
-        if paper != "#ffffff":
-            self._fine[:] = rgb(paper)
+    def __init__(self, frame: Frame, paper: str = "#ffffff", colour: bool = False) -> None:
+        self.frame, self._colour = frame, colour
+        shape = (frame.shape[0] * FINER, frame.shape[1] * FINER)
+        self._fine = np.full((*shape, 3) if colour else shape, self._value(paper), dtype=np.uint8)
 
     def line(self, points_m: ArrayLike, weight: float = 1.2, ink: str = "#000000", closed: bool = False) -> None:
         """A line through (N, 2) points."""
         thickness = max(1, round(weight * FINER))
-        cv2.polylines(self._fine, [self._fixed(points_m)], closed, rgb(ink), thickness, cv2.LINE_8, _SHIFT)
+        cv2.polylines(self._fine, [self._fixed(points_m)], closed, self._value(ink), thickness, cv2.LINE_8, _SHIFT)
 
     def dashes(
         self, points_m: ArrayLike, weight: float = 1.2, ink: str = "#000000", dash: float = 0.15, gap: float = 0.1
@@ -49,7 +48,7 @@ class Paper:
 
     def area(self, points_m: ArrayLike, ink: str = "#000000") -> None:
         """A filled polygon."""
-        cv2.fillPoly(self._fine, [self._fixed(points_m)], rgb(ink), cv2.LINE_8, _SHIFT)
+        cv2.fillPoly(self._fine, [self._fixed(points_m)], self._value(ink), cv2.LINE_8, _SHIFT)
 
     def shape(self, points_m: ArrayLike, weight: float = 1.2, ink: str = "#000000", fill: str | None = "#ffffff") -> None:
         """A closed outline, filled so that it covers what lies below it."""
@@ -80,16 +79,21 @@ class Paper:
         cos, sin = math.cos(math.radians(turn)), math.sin(math.radians(turn))
         rotation = np.array([[cos, sin], [-sin, cos]])
         fixed = [self._fixed(np.asarray(middle) + size * (polygon - shift) @ rotation) for polygon in polygons]
-        cv2.fillPoly(self._fine, fixed, rgb(ink), cv2.LINE_8, _SHIFT)
+        cv2.fillPoly(self._fine, fixed, self._value(ink), cv2.LINE_8, _SHIFT)
 
     def stain(self, fine_mask: NDArray[np.bool_], ink: str) -> None:
         """Every fine pixel of a mask takes a colour."""
-        self._fine[fine_mask] = rgb(ink)
+        np.copyto(self._fine, np.array(self._value(ink), np.uint8), where=fine_mask[..., None] if self._colour else fine_mask)
 
     def picture(self) -> NDArray[np.uint8]:
-        """(height, width, 3) RGB in the drawing's pixels."""
+        """(height, width) grey or (height, width, 3) RGB in the drawing's pixels."""
         height, width = self.frame.shape
         return np.asarray(cv2.resize(self._fine, (width, height), interpolation=cv2.INTER_AREA), dtype=np.uint8)
+
+    def _value(self, ink: str) -> tuple[int, ...]:
+        """A colour as the sheet stores it."""
+        red, green, blue = rgb(ink)
+        return (red, green, blue) if self._colour else (round(0.299 * red + 0.587 * green + 0.114 * blue),)
 
     def _fixed(self, points_m: ArrayLike) -> NDArray[np.int32]:
         """Points as OpenCV wants them: fine pixels whose centres are whole numbers, with binary digits."""

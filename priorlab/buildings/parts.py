@@ -218,12 +218,16 @@ class Note:
 
 @dataclass(frozen=True)
 class Dimension:
-    """A dimension chain: the points that it measures (x for north and south, y for east and west) and its distance outside."""
+    """A dimension chain: the points that it measures (x for north and south, y for east and west) and its distance outside.
+
+    `level` puts the line inside the building instead: at this y (north, south) or x (east, west).
+    """
 
     side: Compass
     points: tuple[float, ...]
     distance: float = 0.6
     size: float = 0.22
+    level: float | None = None
 
     def __post_init__(self) -> None:
         if len(self.points) < 2 or list(self.points) != sorted(set(self.points)):
@@ -248,6 +252,7 @@ class Sheet:
     margins : left, bottom, right, top of the building's outline, metres
     title, subtitle : lower left corner; no title, no text
     north_arrow, scale_bar, frame : draw them?
+    block : lines of the title block in the lower right corner
     decimal : "." or "," in areas and dimensions
     line : weight of thin lines (furniture, doors, dimensions), pixels
     ink, furniture_ink, paper : colours "#rrggbb" of lines and text, of furniture, of the paper
@@ -259,6 +264,7 @@ class Sheet:
     north_arrow: bool = False
     scale_bar: bool = False
     frame: bool = False
+    block: tuple[str, ...] = ()
     decimal: Literal[".", ","] = "."
     line: float = 1.2
     ink: str = "#000000"

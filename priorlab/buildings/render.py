@@ -10,11 +10,19 @@ import numpy as np
 from priorlab.buildings import symbols_fixtures as fixtures
 from priorlab.buildings import symbols_furniture as loose
 from priorlab.buildings.layout import Layout, Placed, chairs_of
-from priorlab.buildings.paper import Paper
+from priorlab.buildings.paper import Paper, rgb
 from priorlab.buildings.parts import Description, Furniture, Room, Stairs
 from priorlab.buildings.pen import Pen
 from priorlab.buildings.symbols_openings import draw_door, draw_window, sills
-from priorlab.buildings.symbols_sheet import draw_dimension, draw_frame, draw_north_arrow, draw_scale_bar, draw_title
+from priorlab.buildings.symbols_sheet import (
+    BLOCK_WIDTH,
+    draw_dimension,
+    draw_frame,
+    draw_north_arrow,
+    draw_scale_bar,
+    draw_title,
+    draw_title_block,
+)
 from priorlab.buildings.wall_masks import WallMasks, hatching
 from priorlab.core.drawing import Drawing
 
@@ -47,7 +55,8 @@ SYMBOLS: dict[str, Callable[[Pen], None]] = {
 def render(layout: Layout, walls: WallMasks, areas_m2: dict[str, float]) -> Drawing:
     """The drawing: lines of the site, furniture, stairs, walls, windows, doors, then all that is written."""
     description, sheet = layout.description, layout.description.sheet
-    paper = Paper(layout.frame, sheet.paper)
+    colourful = _is_colourful(description)
+    paper = Paper(layout.frame, sheet.paper, colourful)
     for line in description.lines:
         (paper.dashes if line.dashed else paper.line)(np.array(line.path), line.weight, sheet.ink)
     for piece in layout.furniture:
@@ -57,12 +66,11 @@ def render(layout: Layout, walls: WallMasks, areas_m2: dict[str, float]) -> Draw
         if isinstance(flight.part, Stairs):
             fixtures.draw_stairs(Pen(paper, flight, sheet.line, sheet.ink), flight.part.treads)
     draw_walls(paper, layout, walls)
-    draw_windows(paper, layout)
-    draw_doors(paper, layout)
+    draw_windows(paper, layout, sheet.ink)
+    draw_doors(paper, layout, sheet.ink)
     _draw_writing(paper, layout, areas_m2)
     picture = paper.picture()
-    colourful = bool((picture != picture[..., :1]).any())
-    grey = np.asarray(cv2.cvtColor(picture, cv2.COLOR_RGB2GRAY), np.uint8) if colourful else picture[..., 0].copy()
+    grey = np.asarray(cv2.cvtColor(picture, cv2.COLOR_RGB2GRAY), np.uint8) if colourful else picture
     return Drawing(grey, picture if colourful else None, description.metres_per_pixel, description.name)
 
 
@@ -85,21 +93,28 @@ def draw_walls(paper: Paper, layout: Layout, walls: WallMasks) -> None:
         paper.stain(walls.ink[name], style.ink)
 
 
-def draw_windows(paper: Paper, layout: Layout) -> None:
+def draw_windows(paper: Paper, layout: Layout, ink: str) -> None:
     """All windows, sills first."""
     sheet = layout.description.sheet
     for window in layout.windows:
         for sill in sills(window) if window.part.sill else ():
-            paper.line(sill, sheet.line, sheet.ink)
-        draw_window(paper, window, sheet.line, sheet.ink)
+            paper.line(sill, sheet.line, ink)
+        draw_window(paper, window, sheet.line, ink)
 
 
-def draw_doors(paper: Paper, layout: Layout) -> None:
+def draw_doors(paper: Paper, layout: Layout, ink: str) -> None:
     """All doors that the plan knows."""
-    sheet = layout.description.sheet
     for door in layout.doors:
         if not door.part.plan_shows_wall:
-            draw_door(paper, door, sheet.line, sheet.ink)
+            draw_door(paper, door, layout.description.sheet.line, ink)
+
+
+def _is_colourful(description: Description) -> bool:
+    """Is any ink of the description not grey?"""
+    sheet = description.sheet
+    inks = [sheet.ink, sheet.furniture_ink, sheet.paper, *(style.ink for style in description.styles.values())]
+    inks += [style.fill for style in description.styles.values() if style.fill]
+    return any(len(set(rgb(ink))) > 1 for ink in inks)
 
 
 def _draw_writing(paper: Paper, layout: Layout, areas_m2: dict[str, float]) -> None:
@@ -118,10 +133,14 @@ def _draw_writing(paper: Paper, layout: Layout, areas_m2: dict[str, float]) -> N
     inset = 0.5 if sheet.frame else 0.3
     draw_title(paper, sheet, low + (bounds[0, 0] - low[0] if not sheet.frame else inset, inset))
     right = np.array([bounds[1, 0] if not sheet.frame else high[0] - inset, low[1] + inset])
+    if sheet.block:
+        right = right - (BLOCK_WIDTH + 0.4, 0.0)
     if sheet.north_arrow:
         draw_north_arrow(paper, right + (-0.4, 0.4), sheet.line)
     if sheet.scale_bar:
         draw_scale_bar(paper, right - (1.5 if sheet.north_arrow else 0.4, 0.0), sheet.line)
+    if sheet.block:
+        draw_title_block(paper, sheet, np.array([high[0] - inset, low[1] + inset]))
     if sheet.frame:
         draw_frame(paper, low, high, sheet.line)
 

@@ -22,9 +22,7 @@ def room_regions(layout: Layout, solid: NDArray[np.bool_]) -> dict[str, NDArray[
     ValueError
         When a room's point lies in a wall, or its region leaks outdoors.
     """
-    gaps = [door.opening.outline for door in layout.doors]
-    shut = solid | (coverage(fine_mask(layout.frame, gaps)) > 0)
-    _, labels = cv2.connectedComponents((~shut).view(np.uint8), connectivity=4)
+    _, labels = cv2.connectedComponents((~_shut(layout, solid)).view(np.uint8), connectivity=4)
     regions = {}
     for room in layout.description.rooms:
         x, y = np.floor(layout.frame.to_image(room.at)).astype(int)
@@ -36,6 +34,18 @@ def room_regions(layout: Layout, solid: NDArray[np.bool_]) -> dict[str, NDArray[
             raise ValueError(f"room {room.name!r} must be closed by walls, windows and doors, but {list(room.at)} leads outdoors")
         regions[room.name] = region
     return regions
+
+
+def indoors(layout: Layout, solid: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """(height, width) True inside the building: what the sheet's rim does not reach when all doors are shut."""
+    rim = np.pad(~_shut(layout, solid), 1, constant_values=True)
+    _, labels = cv2.connectedComponents(rim.view(np.uint8), connectivity=4)
+    return (labels != labels[0, 0])[1:-1, 1:-1]
+
+
+def _shut(layout: Layout, solid: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Walls, windows and shut doors."""
+    return solid | (coverage(fine_mask(layout.frame, [door.opening.outline for door in layout.doors])) > 0)
 
 
 def room_areas_m2(layout: Layout, regions: dict[str, NDArray[np.bool_]]) -> dict[str, float]:

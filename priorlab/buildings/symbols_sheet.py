@@ -10,6 +10,9 @@ from priorlab.buildings.parts import Dimension, Sheet
 
 Points = NDArray[np.float64]
 
+BLOCK_WIDTH = 4.6
+"""Width of the title block, metres."""
+
 
 def draw_dimension(paper: Paper, chain: Dimension, bounds: Points, sheet: Sheet) -> None:
     """A chain: its line, a slanted tick and an extension line at every point, the measures in metres above the line.
@@ -21,7 +24,7 @@ def draw_dimension(paper: Paper, chain: Dimension, bounds: Points, sheet: Sheet)
     across = 0 if upright else 1
     edge = bounds[0 if low else 1, across]
     outwards = -1 if low else 1
-    level = edge + outwards * chain.distance
+    level = edge + outwards * chain.distance if chain.level is None else chain.level
 
     def at(along: float, offset: float) -> Points:
         return np.array([level + offset, along]) if upright else np.array([along, level + offset])
@@ -29,7 +32,7 @@ def draw_dimension(paper: Paper, chain: Dimension, bounds: Points, sheet: Sheet)
     reach = 0.12
     paper.line([at(chain.points[0] - reach, 0), at(chain.points[-1] + reach, 0)], sheet.line * 0.85)
     for point in chain.points:
-        inner = -outwards * min(chain.distance - 0.2, 0.35)
+        inner = -outwards * (reach if chain.level is not None else min(chain.distance - 0.2, 0.35))
         paper.line([at(point, outwards * reach), at(point, inner)], sheet.line * 0.85)
         tick = 0.09
         paper.line([at(point, 0) - (tick, tick), at(point, 0) + (tick, tick)], sheet.line * 1.4)
@@ -45,6 +48,20 @@ def draw_title(paper: Paper, sheet: Sheet, corner: Points) -> None:
         paper.text(sheet.title, corner + (0.0, 0.62), 0.36, align="left")
     if sheet.subtitle:
         paper.text(sheet.subtitle, corner + (0.0, 0.12), 0.2, align="left")
+
+
+def draw_title_block(paper: Paper, sheet: Sheet, corner: Points) -> None:
+    """A box of lines of text; `corner` is its lower right one. The first line is the larger."""
+    row = 0.42
+    height = row * len(sheet.block)
+    left = corner - (BLOCK_WIDTH, 0.0)
+    box = np.array([[0.0, 0.0], [BLOCK_WIDTH, 0.0], [BLOCK_WIDTH, height], [0.0, height]])
+    paper.shape(left + box, 1.6 * sheet.line, sheet.ink, sheet.paper)
+    for number, text in enumerate(sheet.block):
+        level = height - row * (number + 0.5)
+        paper.text(text, left + (0.16, level), 0.22 if number == 0 else 0.17, ink=sheet.ink, align="left")
+        if number:
+            paper.line(left + np.array([[0.0, level + row / 2], [BLOCK_WIDTH, level + row / 2]]), 0.8 * sheet.line, sheet.ink)
 
 
 def draw_north_arrow(paper: Paper, middle: Points, weight: float) -> None:

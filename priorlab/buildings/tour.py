@@ -72,7 +72,7 @@ def tour_of(
     ----------
     start : x, y, pixels, y DOWN
     stops : name and x, y of each place to visit
-    obstacles : (height, width) of the world
+    obstacles : (height, width) True where no robot can go: the world, and outdoors
     metres_per_pixel : scale
     share : of the stops that are visited, in the tour's order; 1 = a complete tour
 

@@ -68,21 +68,21 @@ def _window_ink(layout: Layout) -> NDArray[np.bool_]:
     paper = Paper(layout.frame)
     for window in layout.windows:
         draw_window(paper, window, layout.description.sheet.line)
-    return paper.picture()[..., 0] < 128
+    return paper.picture() < 128
 
 
 def _ink_of_doors(layout: Layout) -> NDArray[np.bool_]:
     """Pixels that door symbols touch at all."""
     paper = Paper(layout.frame)
-    draw_doors(paper, layout)
-    return paper.picture().min(axis=2) < 255
+    draw_doors(paper, layout, "#000000")
+    return paper.picture() < 255
 
 
 def _ink_of_sills(layout: Layout) -> NDArray[np.bool_]:
     """Pixels that windows and their sills touch at all."""
     paper = Paper(layout.frame)
-    draw_windows(paper, layout)
-    return paper.picture().min(axis=2) < 255
+    draw_windows(paper, layout, "#000000")
+    return paper.picture() < 255
 
 
 def _grown(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:

@@ -33,12 +33,12 @@ class WallMasks:
     @property
     def body(self) -> NDArray[np.bool_]:
         """All solid walls together."""
-        return np.logical_or.reduce(list(self.bodies.values()))
+        return _union(self.bodies)
 
     @property
     def all_ink(self) -> NDArray[np.bool_]:
         """All ink of walls together."""
-        return np.logical_or.reduce(list(self.ink.values()))
+        return _union(self.ink)
 
 
 def wall_masks(layout: Layout, openings: list[Points]) -> WallMasks:
@@ -70,6 +70,14 @@ def hatching(frame: Frame, style: WallStyle, line: float) -> NDArray[np.bool_]:
     step = max(4, round(style.hatch / frame.metres_per_pixel * FINER * np.sqrt(2)))
     width = max(1, round(line * FINER * np.sqrt(2)))
     return np.asarray((rows + cols) % step < width)
+
+
+def _union(masks: dict[str, NDArray[np.bool_]]) -> NDArray[np.bool_]:
+    """True where any mask is."""
+    union = np.zeros_like(next(iter(masks.values())))
+    for mask in masks.values():
+        union |= mask
+    return union
 
 
 def _eroded(mask: NDArray[np.bool_], line: float) -> NDArray[np.bool_]:
