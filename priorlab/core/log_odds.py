@@ -54,10 +54,31 @@ def probability(log_odds: ArrayLike) -> NDArray[np.float64]:
     return 0.5 * (1.0 + np.tanh(0.5 * np.asarray(log_odds, dtype=np.float64)))
 
 
+def detection_limit(threshold: float = DETECTED_WALL) -> float:
+    """The highest log odds that count as a detected wall: l <= logit(threshold) + 1e-9, and always below 0.
+
+    A cell on the threshold is detected (eq. 4.18), but a cell at 0.5 knows nothing and never is: at the threshold 0.5 of
+    chapter 6 the unseen cells of an uninformed map are no walls.
+
+    Raises
+    ------
+    ValueError
+        When the threshold does not lie in (0, 0.5].
+
+    >>> detection_limit(0.5) < 0
+    True
+    """
+    if not 0.0 < threshold <= 0.5:
+        raise ValueError(f"threshold must lie above 0 and be at most 0.5, got {threshold:g}")
+    return min(float(log_odds(threshold)) + TIE, -TIE)
+
+
 def detected_as_wall(log_odds_map: ArrayLike, threshold: float = DETECTED_WALL) -> NDArray[np.bool_]:
-    """True where P(empty) <= `threshold`; a cell on the threshold is detected (eq. 4.18).
+    """True where P(empty) <= `threshold`; a cell on the threshold is detected, a cell at 0.5 never (`detection_limit`).
 
     >>> detected_as_wall(log_odds([0.1, 0.2, 0.21])).tolist()
     [True, True, False]
+    >>> detected_as_wall(log_odds([0.499, 0.5]), threshold=0.5).tolist()
+    [True, False]
     """
-    return np.asarray(log_odds_map) <= log_odds(threshold) + TIE
+    return np.asarray(log_odds_map) <= detection_limit(threshold)

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.building import Truth
-from priorlab.core.checks import check_positive, check_probability
+from priorlab.core.checks import check_positive
 from priorlab.core.drawing import Walls
 from priorlab.core.grid_map import GridMap, Prior
-from priorlab.core.log_odds import DETECTED_WALL, log_odds
+from priorlab.core.log_odds import DETECTED_WALL, detection_limit, log_odds
 from priorlab.core.readings import Evidence
 from priorlab.core.score import Score, score_map
 from priorlab.mapping.update import update_map
@@ -64,7 +64,7 @@ class Experiment:
             raise ValueError(f"walls, evidence and truth must lie on one drawing, got {told} pixels")
         if not np.isfinite(self.lam):
             raise ValueError(f"lam must be a finite number, got {self.lam:g}")
-        check_probability("threshold", self.threshold)
+        detection_limit(self.threshold)  # a sentence when it is none
         check_positive("beta", self.beta)
         check_positive("factor", self.factor)
 
@@ -112,7 +112,7 @@ class Experiment:
         """The step functions of one class of cells."""
         chosen = np.flatnonzero(cells)
         pixels = self.pixels.reshape(2, -1)[:, chosen]
-        return Steps.of_cells(self.evidence.total.ravel()[chosen], slope.ravel()[chosen], pixels, float(log_odds(self.threshold)))
+        return Steps.of_cells(self.evidence.total.ravel()[chosen], slope.ravel()[chosen], pixels, self.threshold)
 
     def __repr__(self) -> str:
         cells = f"cells of {self.evidence.grid.cell_size:g} px, {self.evidence.mean_looks:.2f} looks each"

@@ -17,7 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.log_odds import TIE
+from priorlab.core.log_odds import detection_limit
+from priorlab.core.log_odds import log_odds as logit
 
 FLAT = 1e-12
 """A |k| below this is 0: the prior has no say."""
@@ -54,10 +55,10 @@ class Steps:
         total : (N,) S of each cell
         slope : (N,) k = lam n - 1
         pixels : (2, N) its counted true-wall pixels and counted empty pixels
-        threshold : t, log odds
+        threshold : P(empty) at or below which a cell is a detected wall; t = logit(threshold)
         """
         total, slope, pixels = _without_unseen(total, slope, pixels)
-        level = total - (threshold + TIE)  # as `detected_as_wall` decides a tie
+        level = total - detection_limit(threshold)  # as `detected_as_wall` decides a tie
         flat = np.abs(slope) < FLAT
         bent = np.flatnonzero(~flat)
         rising, rising_pixels = _running_sums(level, slope, pixels, np.flatnonzero(slope >= FLAT))
@@ -68,7 +69,7 @@ class Steps:
             rising_pixels=rising_pixels,
             falling=falling,
             falling_pixels=falling_pixels,
-            breaks=_distinct((total[bent] - threshold) / slope[bent]),
+            breaks=_distinct((total[bent] - logit(threshold)) / slope[bent]),
         )
 
     def counts(self, log_odds: ArrayLike) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

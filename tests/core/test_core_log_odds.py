@@ -45,7 +45,7 @@ def test_log_odds_refuses_what_would_be_infinite(p):
         log_odds([0.5, p])
 
 
-@given(st.floats(0.01, 0.99), st.floats(-1, 1))
+@given(st.floats(0.01, 0.5), st.floats(-1, 1))
 def test_detected_as_wall_is_a_comparison_of_probabilities(threshold, off):
     level = math.log(threshold / (1 - threshold))
     if abs(off) > 2 * TIE:
@@ -57,3 +57,15 @@ def test_detected_as_wall_decides_ties_for_the_wall(n):
     """Readings that add up to 0.2 by another way than logit(0.2) still lie on the threshold."""
     detour = sum([math.log(0.3 / 0.7)] * n) + math.log(0.2 / 0.8) + sum([math.log(0.7 / 0.3)] * n)
     assert detected_as_wall(detour, 0.2)
+
+
+def test_detected_as_wall_never_takes_what_it_does_not_know_for_a_wall():
+    unknown_wall_free = log_odds([0.5, 0.49, 0.51])
+    assert detected_as_wall(unknown_wall_free, threshold=0.5).tolist() == [False, True, False]
+    assert detected_as_wall(log_odds([0.5 - 1e-12]), threshold=0.5).tolist() == [False]
+
+
+@pytest.mark.parametrize("threshold", [0.0, 0.51, 1.0, float("nan")])
+def test_detected_as_wall_refuses_a_threshold(threshold):
+    with pytest.raises(ValueError, match=r"threshold must lie above 0 and be at most 0\.5"):
+        detected_as_wall([0.0], threshold)

@@ -45,7 +45,8 @@ def test_score_map_equals_a_loop(seed, walls, ignore, threshold, cell_size):
     detected = np.zeros(SHAPE, dtype=bool)
     for row, col in np.ndindex(SHAPE):
         up, right = math.floor((SHAPE[0] - row - 0.5) / cell_size), math.floor((col + 0.5) / cell_size)
-        detected[row, col] = p[grid.shape[0] - 1 - up, right] <= threshold
+        here = p[grid.shape[0] - 1 - up, right]
+        detected[row, col] = here <= threshold and here < 0.5  # not known is not wall
     score = score_map(GridMap(np.log(p / (1 - p)), grid), Truth(walls, ignore), threshold)
     assert (score.tp, score.fp, score.fn, score.tn) == count_by_hand(detected, walls, ignore)
     assert score.threshold == threshold

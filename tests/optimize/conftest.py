@@ -48,7 +48,7 @@ class Oracle:
             p = (p_wall if is_wall else p_space) * self.factor
             l_0 = math.log(p / (1 - p))
             after = l_0 + self.total[row, col] - self.lam * self.looks[row, col] * l_0
-            if after <= math.log(self.threshold / (1 - self.threshold)) + 1e-9:
+            if after <= min(math.log(self.threshold / (1 - self.threshold)) + 1e-9, -1e-9):  # 0.5 is no wall
                 tp, fp = tp + positive, fp + negative
         return tp, fp
 

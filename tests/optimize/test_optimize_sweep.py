@@ -179,7 +179,7 @@ def test_experiment_says_what_is_wrong(small_case):
         Experiment(good.walls, good.evidence, other)
     for wrong, sentence in (
         (dict(lam=float("nan")), "lam must be a finite number"),
-        (dict(threshold=1.0), "threshold must lie strictly between"),
+        (dict(threshold=1.0), "threshold must lie above 0 and be at most 0.5"),
         (dict(beta=0), "beta must be"),
         (dict(factor=-1), "factor must be"),
     ):
