@@ -68,8 +68,9 @@ def corners_of(sheet: Sheet, n_corners: int, method: Method) -> NDArray[np.float
         where = cv2.dilate(lines.astype(np.uint8), np.ones((5, 5), np.uint8))
     if np.ptp(image) == 0 or min(image.shape) < 3:
         return np.empty((0, 2))
+    spacing = max(method.corner_spacing, method.corner_spacing_share * sheet.long_side)
     found = cv2.goodFeaturesToTrack(
-        image, n_corners, method.corner_quality, method.corner_spacing, mask=where,
+        image, n_corners, method.corner_quality, spacing, mask=where,
         blockSize=BLOCK, useHarrisDetector=True, k=HARRIS_K,
     )  # fmt: skip
     return np.empty((0, 2)) if found is None else found.reshape(-1, 2).astype(np.float64)

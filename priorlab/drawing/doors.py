@@ -18,7 +18,10 @@ from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import extreme_corners
 from priorlab.drawing.overlap import dark_share, without_overlap
 from priorlab.drawing.preprocessing import Sheet, prepare
-from priorlab.drawing.symbol import Symbols, read_symbols
+from priorlab.drawing.symbol import Symbols, is_box, read_symbols, supported
+
+SURE_SUPPORT = 0.9
+"""Share of wall ink beyond both jambs of a door without an arc."""
 
 FEWEST_FOR_A_MODE = 3
 """Doors that must agree on a size before others are dropped for theirs."""
@@ -71,9 +74,11 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
     widened = cv2.dilate(sheet.lines.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
     symbols = read_symbols(widened, sheet.walls, triangles[alive])
     looks = (symbols.leaf >= method.min_leaf) & (symbols.swing >= method.min_arc) & _leaf_fits(symbols, method)
+    if method.min_leaf > 0:
+        looks &= (symbols.arc >= symbols.chord) | ~is_box(widened, symbols)
     _reject(reasons, "symbol", alive, looks)
     _reject(reasons, "open side", alive, symbols.open_ink <= method.max_open_ink)
-    _reject(reasons, "jamb support", alive, symbols.support >= method.min_support)
+    _reject(reasons, "jamb support", alive, _at_walls(symbols, looks & (symbols.open_ink <= method.max_open_ink), method))
 
     symbols, alive = _still(symbols, alive, reasons)
     dark = np.array([dark_share(sheet.lines, triangles[k]) for k in alive])
@@ -106,7 +111,7 @@ def _walkable(sheet: Sheet, method: Method) -> NDArray[np.bool_]:
     """Ink that walks may follow: all of it, or only what is thin enough for a leaf or an arc."""
     if method.thin_share == 0:
         return sheet.lines
-    side = max(5, round(method.thin_share * sheet.long_side)) | 1  # odd, so that the square has a centre
+    side = max(7, round(method.thin_share * sheet.long_side)) | 1  # odd, so that the square has a centre
     solid = cv2.morphologyEx(sheet.lines.astype(np.uint8), cv2.MORPH_OPEN, np.ones((side, side), np.uint8))
     return sheet.lines & ~solid.astype(bool)
 
@@ -114,6 +119,16 @@ def _walkable(sheet: Sheet, method: Method) -> NDArray[np.bool_]:
 def _leaf_fits(symbols: Symbols, method: Method) -> NDArray[np.bool_]:
     """Where the leaf is as long as the opening it closes; asked only by methods that look at the leaf."""
     return symbols.equal > method.isosceles_ratio - 0.1 if method.min_leaf > 0 else np.ones(len(symbols.equal), dtype=bool)
+
+
+def _at_walls(symbols: Symbols, alive: NDArray[np.bool_], method: Method) -> NDArray[np.bool_]:
+    """Where the jambs are at walls, among the candidates still alive; straight doors need a surer wall than arcs."""
+    passed = np.zeros(len(alive), dtype=bool)
+    some = np.flatnonzero(alive)
+    left = symbols[some]
+    straight = (left.chord > left.arc) & (method.min_support > 0)
+    passed[some] = supported(left, method.min_support) & ~(straight & (left.support < SURE_SUPPORT))
+    return passed
 
 
 def _reject(reasons: NDArray[np.int8], test: str, alive: NDArray[np.int64], passed: NDArray[np.bool_]) -> None:
@@ -130,7 +145,7 @@ def _still(symbols: Symbols, alive: NDArray[np.int64], reasons: NDArray[np.int8]
 
 def _near_mode(symbols: Symbols, factor: float | None) -> NDArray[np.bool_]:
     """Where the open side lies within a factor of the commonest length; everywhere when fewer than three agree."""
-    widths = np.hypot(*(symbols.strike - symbols.hinge).T)
+    widths = symbols.width
     if factor is None or len(widths) == 0:
         return np.ones(len(widths), dtype=bool)
     close = np.maximum(widths[:, None], widths[None, :]) <= np.sqrt(factor) * np.minimum(widths[:, None], widths[None, :])

@@ -18,11 +18,20 @@ FACE_LENGTH = 0.02
 WALL_THICKNESS = 0.02
 """Thickest hollow wall, share of M."""
 
+SOLID_SHARE = 0.75
+"""Walls are drawn solid when heavy strokes alone make up so much of them; then gaps are closets and windows, no walls."""
+
 CELL_COVERED = 0.4
 """A thin cell is wall when so much of it is."""
 
 PIECE_LENGTH = 0.03
 """Shortest piece of wall that stays, share of M."""
+
+LONE_DISTANCE = 0.06
+"""A bar stands alone when nothing else does within this share of M: about a door's width."""
+
+LONE_SHARE = 0.1
+"""A lone bar holds no more than this share of all walls."""
 
 HATCHED = (0.12, 0.50)
 """Share of ink between the faces of a hatched wall."""
@@ -43,8 +52,8 @@ def thin_cells(ink: NDArray[np.bool_], long_side: int) -> NDArray[np.int32]:
 
 def walls_between(
     faces: NDArray[np.bool_], ink: NDArray[np.bool_], cells: NDArray[np.int32], long_side: int
-) -> NDArray[np.bool_]:
-    """Walls from the ink of their faces.
+) -> tuple[NDArray[np.bool_], bool]:
+    """Walls from the ink of their faces: the strokes themselves where they are solid, else the strokes and what lies between.
 
     Parameters
     ----------
@@ -55,17 +64,19 @@ def walls_between(
 
     Returns
     -------
-    (height, width) bool
+    (height, width) bool, and whether they are drawn solid
     """
     length, thickness = FACE_LENGTH * long_side, WALL_THICKNESS * long_side
-    walls = np.zeros_like(faces)
+    strokes, between = np.zeros_like(faces), np.zeros_like(faces)
     for axis in (0, 1):
         face = long_runs(faces, length, axis)
+        strokes |= face
         face = grow_along(face, long_runs(ink, length, axis), axis)
-        gap = gaps_between(face, thickness, 1 - axis)
-        walls |= face | long_runs(gap, length, axis)
-    walls |= covered_cells(walls, cells)
-    return tidy(walls, long_side)
+        between |= face | long_runs(gaps_between(face, thickness, 1 - axis), length, axis)
+    solid = tidy(strokes, long_side)
+    hollow = tidy(between | covered_cells(between, cells), long_side)
+    is_solid = bool(solid.any() and solid.sum() >= SOLID_SHARE * hollow.sum())
+    return (solid if is_solid else hollow), is_solid
 
 
 def hatch_bands(faces: NDArray[np.bool_], ink: NDArray[np.bool_], cells: NDArray[np.int32], long_side: int) -> NDArray[np.bool_]:
@@ -100,6 +111,17 @@ def covered_cells(walls: NDArray[np.bool_], cells: NDArray[np.int32]) -> NDArray
 def long_runs(mask: NDArray[np.bool_], length: float, axis: int) -> NDArray[np.bool_]:
     """Pixels in runs of at least `length` along an axis."""
     return run_lengths(mask, axis) >= max(length, 1)
+
+
+def without_lone_bars(walls: NDArray[np.bool_], long_side: int) -> NDArray[np.bool_]:
+    """Walls without straight bars that stand alone, such as scale bars and frames' edges: they enclose nothing."""
+    reach = max(3, round(LONE_DISTANCE * long_side)) | 1
+    near = cv2.dilate(walls.astype(np.uint8), np.ones((reach, reach), np.uint8))
+    n_groups, labels, stats, _ = cv2.connectedComponentsWithStats(near, connectivity=8)
+    area = np.bincount(labels[walls], minlength=n_groups)
+    narrow = np.minimum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) - reach + 1 <= WALL_THICKNESS * long_side
+    drop = narrow & (area <= LONE_SHARE * area.sum())
+    return walls & ~drop[labels]
 
 
 def tidy(walls: NDArray[np.bool_], long_side: int) -> NDArray[np.bool_]:

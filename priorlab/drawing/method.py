@@ -16,7 +16,7 @@ class Method:
     sources : what walls are found by: "doors" (3.3.1) or "both", line weight and doors together
     n_corners : Harris corners to keep (fig. 3.9: 200)
     corner_quality : weakest corner kept, as a share of the strongest response
-    corner_spacing : corners nearer than this are one, pixels
+    corner_spacing, corner_spacing_share : corners nearer than this are one, pixels, or share of M where that is more
     component_share : corners and line weights only on ink components longer than this share of M; 0 takes all ink
     line_darkness : distance from the paper above which a pixel is ink of a line (0-255)
     wall_darkness : the same for walls; None takes Otsu's threshold
@@ -47,6 +47,7 @@ class Method:
     n_corners: int = 200
     corner_quality: float = 0.01
     corner_spacing: float = 3.0
+    corner_spacing_share: float = 0.0
     component_share: float = 0.0
     line_darkness: int = 127
     wall_darkness: int | None = 127
@@ -91,15 +92,17 @@ ROBUST = Method(
     sources="both",
     n_corners=1200,
     corner_quality=0.003,
-    corner_spacing=4.0,
+    corner_spacing_share=0.003,
     component_share=0.04,
     line_darkness=55,
     wall_darkness=None,
     upscale_below=400,
     min_side=12.0,
     max_side_share=0.12,
-    thin_share=0.004,
+    thin_share=0.006,
     rounding=False,
+    isosceles_ratio=0.82,
+    max_largest_angle=105.0,
     min_angle=25.0,
     max_tilt=12.0,
     min_leaf=0.8,

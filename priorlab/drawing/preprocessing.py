@@ -14,6 +14,9 @@ from priorlab.drawing.method import Method
 LEAST_CONTRAST = 12
 """Nothing fainter than this, of 255, is ink."""
 
+ROOM_SHARE = 0.03
+"""An area this wide, as a share of the long side, is no line."""
+
 
 @dataclass(frozen=True, eq=False)
 class Sheet:
@@ -59,14 +62,20 @@ class Sheet:
 def prepare(drawing: Drawing, method: Method) -> Sheet:
     """Find the paper, the ink and its colours.
 
-    The paper is the median colour, so a white-on-black drawing needs no other treatment than a black-on-white one.
+    The paper is the median colour, so a white-on-black drawing needs no other treatment than a black-on-white one. Where dark
+    surroundings outweigh light rooms, as in maps, the lightest grey is the paper.
     A small drawing is doubled first (`Method.upscale_below`).
     """
     image = drawing.grey if drawing.colour is None else drawing.colour
+    inverted = is_light_on_dark(drawing.grey)
+    if not inverted and np.median(drawing.grey) < 128:  # dark surroundings, light rooms: the paper is not the commonest
+        paper: int | None = int(drawing.grey.max())
+    else:
+        paper = None
     scale = 2 if max(drawing.shape) < method.upscale_below else 1
     if scale > 1:
         image = np.asarray(cv2.resize(image, None, fx=scale, fy=scale, interpolation=cv2.INTER_CUBIC), dtype=np.uint8)
-    darkness = paper_distance(image)
+    darkness = paper_distance(image, paper)
     wall_darkness = _wall_threshold(darkness, image) if method.wall_darkness is None else method.wall_darkness
     line_darkness = min(method.line_darkness, wall_darkness)
     return Sheet(
@@ -75,13 +84,30 @@ def prepare(drawing: Drawing, method: Method) -> Sheet:
         walls=darkness > wall_darkness,
         hue=_hue(image),
         scale=scale,
-        inverted=bool(np.median(drawing.grey) < 128),
+        inverted=inverted,
         input_shape=drawing.shape,
     )
 
 
-def paper_distance(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Largest channel distance of every pixel from the median colour, the paper.
+def is_light_on_dark(grey: NDArray[np.uint8]) -> bool:
+    """True when a drawing has light lines on dark paper: mostly dark, and hardly any light area is wider than a line.
+
+    >>> sheet = np.zeros((50, 50), dtype=np.uint8)
+    >>> sheet[10] = sheet[:, 20] = 255
+    >>> is_light_on_dark(sheet), is_light_on_dark(255 - sheet)
+    (True, False)
+    """
+    if np.median(grey) >= 128:
+        return False
+    threshold, _ = cv2.threshold(grey, 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)
+    light = (grey > threshold).astype(np.uint8)
+    side = max(3, round(ROOM_SHARE * max(grey.shape)))
+    wide = cv2.morphologyEx(light, cv2.MORPH_OPEN, np.ones((side, side), np.uint8))
+    return bool(2 * int(wide.sum()) < int(light.sum()))
+
+
+def paper_distance(image: NDArray[np.uint8], paper_grey: int | None = None) -> NDArray[np.uint8]:
+    """Largest channel distance of every pixel from the paper, the median colour unless a grey is given.
 
     Parameters
     ----------
@@ -90,7 +116,10 @@ def paper_distance(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
     >>> paper_distance(np.array([[255, 255, 0]], dtype=np.uint8)).tolist()
     [[0, 0, 255]]
     """
-    paper = np.median(image.reshape(-1, *image.shape[2:]), axis=0).astype(np.uint8)
+    if paper_grey is None:
+        paper = np.median(image.reshape(-1, *image.shape[2:]), axis=0).astype(np.uint8)
+    else:
+        paper = np.full(image.shape[2:], paper_grey, dtype=np.uint8)
     if image.ndim == 2:
         return np.asarray(cv2.absdiff(image, np.full_like(image, paper)), dtype=np.uint8)
     channels = [cv2.absdiff(image[..., c], np.full(image.shape[:2], paper[c], dtype=np.uint8)) for c in range(3)]

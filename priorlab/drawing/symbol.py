@@ -25,8 +25,8 @@ class Symbols:
     arc : share of ink along the quarter arc from tip to strike
     chord : share of ink along the straight line from tip to strike (a folding door)
     equal : shorter over longer of leaf and open side
-    open_ink : share of wall ink on the open side, its ends left out
-    support : share of wall ink just beyond the weaker jamb, away from the opening
+    open_ink : share of ink on the open side, its ends left out
+    hinge_support, strike_support : share of wall ink just beyond each jamb, away from the opening
     """
 
     hinge: NDArray[np.float64]
@@ -37,7 +37,18 @@ class Symbols:
     chord: NDArray[np.float64]
     equal: NDArray[np.float64]
     open_ink: NDArray[np.float64]
-    support: NDArray[np.float64]
+    hinge_support: NDArray[np.float64]
+    strike_support: NDArray[np.float64]
+
+    @property
+    def support(self) -> NDArray[np.float64]:
+        """Share of wall ink beyond the weaker jamb."""
+        return np.minimum(self.hinge_support, self.strike_support)
+
+    @property
+    def width(self) -> NDArray[np.float64]:
+        """Length of the open side."""
+        return np.asarray(np.hypot(*(self.strike - self.hinge).T))
 
     @property
     def swing(self) -> NDArray[np.float64]:
@@ -74,6 +85,29 @@ def read_symbols(lines: NDArray[np.bool_], walls: NDArray[np.bool_], triangles: 
     return Symbols(**picked)
 
 
+def supported(symbols: Symbols, least: float, pair_reach: float = 0.15) -> NDArray[np.bool_]:
+    """Where both jambs stand at a wall; the strike of a double door's leaf stands at the other leaf's strike instead.
+
+    Parameters
+    ----------
+    symbols : candidates
+    least : share of wall ink that counts as a wall
+    pair_reach : two strikes are one within this share of the door's width
+    """
+    hung = symbols.hinge_support >= least
+    alone = hung & (symbols.strike_support >= least)
+    half = np.flatnonzero(hung & ~alone & (symbols.arc >= symbols.chord))
+    paired = np.zeros_like(alone)
+    if half.size:
+        strike, hinge, width = symbols.strike[half], symbols.hinge[half], symbols.width[half]
+        apart = np.abs(strike[:, None, :] - strike[None, :, :]).max(axis=2)
+        out = (hinge - strike) / np.maximum(width, 1e-9)[:, None]
+        opposite = out @ out.T < -0.9
+        meet = opposite & (apart <= pair_reach * np.minimum(width[:, None], width[None, :]))
+        paired[half] = meet.any(axis=1)
+    return np.asarray(alone | paired)
+
+
 def jamb_support(walls: NDArray[np.bool_], jamb: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
     """(K,) share of wall ink in a short stretch beyond each jamb, away from the other; the best of five parallel lines."""
     along = other - jamb
@@ -88,6 +122,29 @@ def jamb_support(walls: NDArray[np.bool_], jamb: NDArray[np.float64], other: NDA
     return np.max(shares, axis=0)
 
 
+def is_box(lines: NDArray[np.bool_], symbols: Symbols, least: float = 0.8) -> NDArray[np.bool_]:
+    """Where a triangle is half of a drawn box, or its leaf goes on beyond the tip: a cupboard with a diagonal, a cross.
+
+    Parameters
+    ----------
+    lines : (height, width) bool, all ink, widened by a pixel
+    symbols : candidates without an arc
+    least : share of ink that counts as a line
+    """
+    vertices = (symbols.hinge, symbols.strike, symbols.tip)
+    boxed = np.zeros(len(symbols.leaf), dtype=bool)
+    for k in range(3):
+        one, other = vertices[(k + 1) % 3], vertices[(k + 2) % 3]
+        fourth = one + other - vertices[k]  # completes the parallelogram
+        sides = [_look_up(lines, _between(end, fourth)).mean(axis=1) for end in (one, other)]
+        boxed |= np.minimum(*sides) >= least
+    beyond = symbols.tip + 0.3 * (symbols.tip - symbols.hinge)
+    crossing = symbols.tip + 0.3 * (symbols.tip - symbols.strike)
+    for end in (beyond, crossing):
+        boxed |= _look_up(lines, _between(symbols.tip, end, 0.2)).mean(axis=1) >= least
+    return boxed
+
+
 def _measure(lines: NDArray[np.bool_], walls: NDArray[np.bool_], tip: NDArray, hinge: NDArray, strike: NDArray) -> Symbols:
     """All measures for one choice of the hinge."""
     leaf_length = np.hypot(*(tip - hinge).T)
@@ -100,8 +157,9 @@ def _measure(lines: NDArray[np.bool_], walls: NDArray[np.bool_], tip: NDArray, h
         arc=_look_up(lines, _arc(hinge, tip, strike)).mean(axis=1),
         chord=_look_up(lines, _between(tip, strike)).mean(axis=1),
         equal=np.minimum(leaf_length, open_length) / np.maximum(np.maximum(leaf_length, open_length), 1e-9),
-        open_ink=_look_up(walls, _between(hinge, strike, 0.12)).mean(axis=1),
-        support=np.minimum(jamb_support(walls, hinge, strike), jamb_support(walls, strike, hinge)),
+        open_ink=_look_up(lines, _between(hinge, strike, 0.12)).mean(axis=1),
+        hinge_support=jamb_support(walls, hinge, strike),
+        strike_support=jamb_support(walls, strike, hinge),
     )
 
 

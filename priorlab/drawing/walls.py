@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from priorlab.core.drawing import EMPTY, WALL, Door, Drawing, Walls
 from priorlab.drawing.corners import corners_of
 from priorlab.drawing.door_ink import door_ink, scaled_doors
+from priorlab.drawing.faces import without_lone_bars
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import outer_walls
 from priorlab.drawing.preprocessing import Sheet, large_components, prepare
@@ -19,9 +20,12 @@ from priorlab.drawing.strokes import bridge_windows, strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
 from priorlab.drawing.weight import Hypothesis, judged, weight_hypotheses, with_hatching
 
-
 DOORS_ALONE = 0.3
 """Weight of the walls grown from doors alone beside those of line weight: they know no insides and follow any line."""
+
+
+SOLID_COVERS = 0.65
+"""Solid walls are preferred when they make up so much of the best hypothesis."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +86,8 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
     if method.bridge_widths and scaled and walls.any():
         longest = method.bridge_widths * float(np.median([door.width for door in scaled]))
         walls = walls | (bridge_windows(walls, sheet.lines, longest) & ~symbols)
+    if method.sources == "both":
+        walls = without_lone_bars(walls, sheet.long_side)
     return WallSearch(
         outer=sheet.to_input(outer),
         sweeps=tuple(sheet.to_input(stage) for stage in sweeps),
@@ -109,13 +115,18 @@ def sweeps_from(
 
 
 def choose(hypotheses: Sequence[Hypothesis], doors: Sequence[Door], symbols: NDArray[np.bool_]) -> Hypothesis:
-    """The most wall-like hypothesis in the light of the doors: jambs stand on walls, leaves and arcs are none."""
+    """The most wall-like hypothesis in the light of the doors: jambs stand on walls, leaves and arcs are none.
+
+    Where solid strokes make up most of the best one, they are taken: they need no guess about what lies between lines.
+    """
 
     def worth(hypothesis: Hypothesis) -> float:
         trust = DOORS_ALONE if hypothesis.name == "doors" else 1.0
         return trust * hypothesis.quality * door_agreement(hypothesis.walls, doors, symbols)
 
-    return max(hypotheses, key=worth)
+    best = max(hypotheses, key=worth)
+    solid = [h for h in hypotheses if h.solid and (h.walls & best.walls).sum() >= SOLID_COVERS * best.walls.sum()]
+    return max(solid, key=worth) if solid else best
 
 
 def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDArray[np.bool_], reach: int = 4) -> float:

@@ -22,6 +22,9 @@ HEAVIEST = 6
 HATCH_SHARE = 0.15
 """Hatch bands are used when they make up so much of the result."""
 
+IN_COLOUR = 0.5
+"""Trust in line weights where hues tell the parts of a drawing apart."""
+
 HUE_BINS = 12
 """Hues that are told apart, each 15 of OpenCV's 180 wide."""
 
@@ -35,11 +38,13 @@ class Hypothesis:
     name : the assumption
     walls : (height, width) bool
     quality : Q, larger is more wall-like
+    solid : True when the walls are the strokes themselves, not what lies between them
     """
 
     name: str
     walls: NDArray[np.bool_]
     quality: float
+    solid: bool = False
 
 
 def weight_hypotheses(sheet: Sheet, component_share: float = 0.04) -> tuple[Hypothesis, ...]:
@@ -50,22 +55,25 @@ def weight_hypotheses(sheet: Sheet, component_share: float = 0.04) -> tuple[Hypo
         return ()
     widths = stroke_widths(ink, HEAVIEST)
     cells = thin_cells(ink, long_side)
+    hues = _hues(sheet, ink)
     found = []
     for q in range(2, HEAVIEST + 1):
         heavy = widths >= q
         if not heavy.any():
             break
-        walls = walls_between(heavy, ink, cells, long_side)
-        found.append(judged(f"strokes of at least {q} px", walls, long_side))
-    for hue in _hues(sheet, ink):
+        walls, solid = walls_between(heavy, ink, cells, long_side)
+        found.append(judged(f"strokes of at least {q} px", walls, long_side, solid, 1.0 if not hues else IN_COLOUR))
+    for hue in hues:
         coloured = ink & _of_hue(sheet.hue, hue)
-        walls = walls_between(coloured, coloured, cells, long_side)
-        found.append(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, long_side))
+        walls, solid = walls_between(coloured, coloured, cells, long_side)
+        found.append(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, long_side, solid))
     return tuple(found)
 
 
 def with_hatching(best: Hypothesis, sheet: Sheet, component_share: float = 0.04) -> Hypothesis:
     """The hypothesis and the hatched bands beside it, when there are enough of them."""
+    if best.solid:
+        return best
     ink = large_components(sheet.walls, component_share * sheet.long_side)
     cells = thin_cells(ink, sheet.long_side)
     bands = hatch_bands(best.walls, ink, cells, sheet.long_side)
@@ -97,10 +105,11 @@ def purity(walls: NDArray[np.bool_], long_side: int) -> float:
     return float(pure[walls].mean())
 
 
-def judged(name: str, walls: NDArray[np.bool_], long_side: int) -> Hypothesis:
+def judged(name: str, walls: NDArray[np.bool_], long_side: int, solid: bool = False, trust: float = 1.0) -> Hypothesis:
     """A hypothesis with Q = sqrt(horizontal x vertical centre line) / M x purity^2."""
     across, down = centre_line(walls, long_side)
-    return Hypothesis(name, walls, float(np.sqrt(across * down) / long_side * purity(walls, long_side) ** 2))
+    quality = trust * np.sqrt(across * down) / long_side * purity(walls, long_side) ** 2
+    return Hypothesis(name, walls, float(quality), solid)
 
 
 def _hues(sheet: Sheet, ink: NDArray[np.bool_]) -> list[int]:
