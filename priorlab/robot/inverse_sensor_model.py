@@ -23,7 +23,7 @@ CANDIDATES_AT_ONCE = 250_000
 """Cells (and pixels) that are looked at in one go: enough for speed, little for memory."""
 
 ON_THE_EDGE = 1e-9
-"""A centre this close to the cone's edge (pixels) lies inside: symmetric cones see symmetric cells."""
+"""A centre this close to the edge of what is seen (pixels) lies inside: symmetric cones see symmetric cells."""
 
 
 class Looks(NamedTuple):
@@ -138,7 +138,7 @@ def _seen(
     if sensor.beyond == "all":
         return np.ones(len(reading), dtype=bool)
     if sensor.beyond == "thickness":
-        return distance < measured + max(sensor.wall_thickness, grid.cell_size / 2)
+        return distance <= measured + max(sensor.wall_thickness, grid.cell_size / 2) + ON_THE_EDGE
     rows, cols = grid.shape
     hit_reading, hit_xy = beams.hits()
     hit_row, hit_col = grid.xy_to_cell(hit_xy.T).T

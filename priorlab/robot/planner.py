@@ -117,13 +117,13 @@ def _runs(line: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 def _stops(space: FreeSpace, room: int) -> list[tuple[int, int]]:
-    """The pixels (row, col) that a tour visits in a room: the one farthest from the walls, and both ends of a long room."""
+    """The pixels (row, col) that a tour visits in a room: the one farthest from the walls, and both ends of a long or only room."""
     inside = space.rooms == room
     row, col = np.unravel_index(int(np.where(inside, space.distance, -1.0).argmax()), inside.shape)
     stops = [(int(row), int(col))]
     pixels = np.argwhere(inside)
     along = int(np.ptp(pixels[:, 1]) >= np.ptp(pixels[:, 0]))
-    if np.ptp(pixels[:, along]) > LONG_ROOM * space.door_width:
+    if space.rooms.max() == 1 or np.ptp(pixels[:, along]) > LONG_ROOM * space.door_width:
         order = pixels[:, along] + np.abs(pixels[:, 1 - along] - stops[0][1 - along]) * [[1], [-1]]
         stops += [(int(r), int(c)) for r, c in pixels[[order[0].argmin(), order[1].argmax()]]]
     return stops

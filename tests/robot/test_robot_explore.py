@@ -1,0 +1,79 @@
+"""Surveys of small rooms whose ranges are known."""
+
+import math
+
+import numpy as np
+import pytest
+
+from priorlab.core.building import Truth, World
+from priorlab.core.sensor import RangeSensor
+from priorlab.robot.explore import bearings_of, explore
+from priorlab.robot.range_noise import RangeNoise
+
+ROOM = np.pad(np.zeros((20, 30), dtype=bool), 2, constant_values=True)
+TRUTH = Truth(ROOM, ROOM & False)
+MIDDLE = [17.0, 12.0, 0.0]
+
+
+def test_explore_measures_a_flat_wall_exactly():
+    readings = explore(TRUTH, [MIDDLE], RangeSensor(max_range=40))
+    expected = np.minimum(15 / np.cos(readings.bearings), 10 / np.abs(np.sin(readings.bearings) + 1e-300))
+    np.testing.assert_allclose(readings.ranges[0], expected, atol=1e-9)
+    assert readings.image_shape == ROOM.shape
+
+
+def test_explore_says_inf_beyond_the_range():
+    readings = explore(TRUTH, [MIDDLE, [25.0, 12.0, 0.0]], RangeSensor(max_range=8))
+    middle = len(readings.bearings) // 2
+    assert readings.ranges[0, middle] == math.inf and readings.ranges[1, middle] == 7.0
+
+
+def test_explore_meets_furniture_and_windows_too():
+    furniture, windows = ROOM.copy(), np.zeros_like(ROOM)
+    furniture[:, 20] = windows[:, 21] = True
+    sensor = RangeSensor(max_range=40)
+    middle = len(bearings_of(sensor)) // 2
+    assert explore(World(furniture, 0.05), [MIDDLE], sensor).ranges[0, middle] == 3.0
+    assert explore(Truth(ROOM, ROOM & False, windows=windows), [MIDDLE], sensor).ranges[0, middle] == 4.0
+
+
+@pytest.mark.parametrize("max_range", [1, 7.5, 20, 40, 133])
+def test_bearings_are_at_most_a_pixel_apart_at_the_end_of_the_range(max_range):
+    sensor = RangeSensor(max_range=max_range)
+    bearings = bearings_of(sensor)
+    assert np.diff(bearings).max() * max_range <= 1 + 1e-9
+    assert bearings[0] == -sensor.half_angle and bearings[-1] == sensor.half_angle
+    assert bearings[len(bearings) // 2] == 0.0
+
+
+def test_repeats_have_noise_of_their_own():
+    noise = RangeNoise(deviation=0.5)
+    readings = explore(TRUTH, [MIDDLE, [10.0, 12.0, 0.0]], RangeSensor(max_range=60), np.random.default_rng(1), noise, repeats=3)
+    assert readings.poses[:, 0].tolist() == [17, 17, 17, 10, 10, 10]
+    exact = explore(TRUTH, readings.poses, RangeSensor(max_range=60)).ranges
+    off = readings.ranges - exact
+    assert 0.4 < off.std() < 0.6
+    assert not np.allclose(off[0], off[1])
+
+
+def test_explore_is_the_same_for_the_same_seed():
+    noise = RangeNoise(deviation=0.5, outlier_rate=0.1)
+    one, two = (explore(TRUTH, [MIDDLE], rng=np.random.default_rng(5), noise=noise).ranges for _ in range(2))
+    assert (one == two).all()
+
+
+@pytest.mark.parametrize(
+    ("survey", "keywords", "sentence"),
+    [
+        ([], {}, "survey must hold at least one pose x, y, theta, got none"),
+        ([[1.0, 2.0]], {}, r"survey must have shape \(N, 3\)"),
+        ([MIDDLE, [math.nan, 2, 0]], {}, r"survey must be finite numbers, got \[nan, 2.0, 0.0\] in row 1"),
+        ([MIDDLE, [34.0, 2, 0]], {}, "survey must stay on the map of 34 x 24 pixels, got x, y = 34, 2 in row 1"),
+        ([MIDDLE, [1.0, 5, 0]], {}, "survey must stand in free space, got an obstacle at x, y = 1, 5 in row 1"),
+        ([MIDDLE], {"repeats": 0}, "repeats must be at least 1, got 0"),
+        ([MIDDLE], {"noise": RangeNoise(1.0)}, "rng must be a numpy Generator when the sensor has faults, got None"),
+    ],
+)
+def test_explore_says_what_is_wrong(survey, keywords, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        explore(TRUTH, survey, **keywords)
