@@ -22,7 +22,7 @@ PLAN, NO_PLAN, ALONE = (
 )
 """The three lines of every comparison: with the plan as prior, without it, the prior alone."""
 
-GREY: dict[str, Any] = {"cmap": "gray", "vmin": 0, "vmax": 1, "interpolation": "nearest"}
+GREY: dict[str, Any] = {"cmap": "gray", "vmin": 0, "vmax": 1, "interpolation": "auto"}
 """P(empty) as it is always shown: 0 black, 1 white."""
 
 

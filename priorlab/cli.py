@@ -1,0 +1,251 @@
+"""The command line: `priorlab demo`, `run`, `figures`, `student`, `buildings`.
+
+Exit codes: 0 a whole result; 2 bad input, one sentence on stderr; 3 a result without walls; 4 walls, but the way ended early
+(they do not close the building, or nobody knows the scale); 130 stopped by Ctrl-C. With 3 and 4 the report is written and says
+why.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib.metadata
+import shlex
+import sys
+import time
+import traceback
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+from priorlab.core.files import check_free
+
+if TYPE_CHECKING:
+    from priorlab.core.building import FloorPlan
+    from priorlab.core.drawing import Drawing
+    from priorlab.pipeline import PipelineResult
+
+GOOD, BAD_INPUT, NO_WALLS, ENDED_EARLY, INTERRUPTED = 0, 2, 3, 4, 130
+
+DEMO_BUILDING = "office_wing"
+
+
+class _Parser(argparse.ArgumentParser):
+    """A parser whose complaint is one sentence."""
+
+    def error(self, message: str) -> NoReturn:
+        """Say it and leave with the code of bad input."""
+        self.exit(BAD_INPUT, f"priorlab: {message}; see {self.prog} --help\n")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run a command; the exit code."""
+    given = list(sys.argv[1:] if argv is None else argv)
+    arguments = _parser().parse_args(given)
+    arguments.command_line = shlex.join(["priorlab", *given])
+    try:
+        return int(arguments.act(arguments))
+    except KeyboardInterrupt:
+        print("priorlab: interrupted; nothing was written", file=sys.stderr)
+        return INTERRUPTED
+    except (ValueError, OSError) as mistake:  # a sentence with name, rule and value
+        if arguments.traceback:
+            traceback.print_exc()
+        print(f"priorlab: {' '.join(str(mistake).split())}", file=sys.stderr)
+        return BAD_INPUT
+
+
+def _parser() -> argparse.ArgumentParser:
+    """All commands and what they take."""
+    parser = _Parser(
+        prog="priorlab",
+        description="What does a Bayesian prior do to a robot's map? Every probability is P(the cell is EMPTY).",
+        epilog="Exit codes: 0 good, 2 bad input, 3 no walls found (the report says where they were lost), 4 walls, but the way "
+        "ended early (the report says why), 130 stopped by Ctrl-C.",
+    )
+    parser.add_argument("--version", action="version", version=f"priorlab {importlib.metadata.version('priorlab')}")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=_Parser)
+
+    demo = commands.add_parser("demo", help="one bundled floor plan all the way; leaves a report")
+    demo.add_argument(
+        "--building", default=DEMO_BUILDING, metavar="NAME", help="one of `priorlab buildings` (default %(default)s)"
+    )
+    _how_to_run(demo, out="out/demo", method="robust")
+    demo.set_defaults(act=_demo)
+
+    run = commands.add_parser("run", help="the same for a drawing of your own (PNG, JPEG, BMP, TIFF)")
+    run.add_argument("drawing", metavar="DRAWING", help="image file")
+    run.add_argument("--metres-per-pixel", type=float, metavar="X", help="scale; without it a door is taken as 0.85 m")
+    _how_to_run(run, out=None, method="robust")
+    run.set_defaults(act=_run)
+
+    figures = commands.add_parser("figures", help="a figure or table of the thesis anew: ours, with numbers and a verdict")
+    figures.add_argument("name", nargs="?", metavar="NAME", help="as --list has it; 'all' makes every one")
+    figures.add_argument("--list", action="store_true", help="list the names and leave")
+    _where(figures, out="figures/made")
+    figures.set_defaults(act=_figures)
+
+    student = commands.add_parser("student", help="copies of the notebooks without the solutions")
+    student.add_argument("out", metavar="OUT", help="folder for the copies")
+    student.add_argument("--notebooks", default="notebooks", metavar="DIR", help="the teacher's notebooks (default %(default)s)")
+    student.add_argument("--seed", type=int, default=0, help="the student's own numbers (default %(default)s)")
+    student.add_argument("--force", action="store_true", help="replace what stands at OUT")
+    student.set_defaults(act=_student)
+
+    buildings = commands.add_parser("buildings", help="list the bundled buildings")
+    buildings.set_defaults(act=_buildings)
+    for command in (demo, run, figures, student, buildings):
+        command.add_argument("--traceback", action="store_true", help="show where in the code a complaint comes from")
+    return parser
+
+
+def _where(command: argparse.ArgumentParser, out: str | None) -> None:
+    """Where the results go."""
+    words = "folder for the results" + (" (default %(default)s)" if out else "")
+    command.add_argument("--out", default=out, required=out is None, metavar="DIR", help=words)
+    command.add_argument("--force", action="store_true", help="replace what stands there")
+    command.add_argument("--seed", type=int, default=0, help="of everything random (default %(default)s)")
+
+
+def _how_to_run(command: argparse.ArgumentParser, out: str | None, method: str) -> None:
+    """What `demo` and `run` share."""
+    _where(command, out)
+    command.add_argument("--method", choices=("robust", "thesis"), default=method, help="of chapter 3 (default %(default)s)")
+    command.add_argument("--p-wall", type=float, default=0.2, metavar="P", help="P(empty) where the drawing shows a wall (0.2)")
+    command.add_argument("--p-space", type=float, default=0.9, metavar="P", help="P(empty) where it shows space (0.9)")
+    command.add_argument("--cell-size", type=float, default=3, metavar="PX", help="side of a cell in pixels (3)")
+
+
+def _demo(arguments: argparse.Namespace) -> int:
+    """One of our buildings."""
+    check_free(arguments.out, arguments.force)
+    from priorlab.buildings.floor_plans import load_floor_plan
+
+    plan = load_floor_plan(arguments.building)
+    return _go(arguments, plan.drawing, plan)
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    """The user's own drawing."""
+    check_free(arguments.out, arguments.force)
+    from priorlab.interchange.images import read_drawing
+
+    return _go(arguments, read_drawing(arguments.drawing, arguments.metres_per_pixel), None)
+
+
+def _go(arguments: argparse.Namespace, drawing: Drawing, plan: FloorPlan | None) -> int:
+    """Run the pipeline, write the folder, print the numbers that matter."""
+    from priorlab.core.grid_map import Prior
+    from priorlab.drawing.method import ROBUST, THESIS
+    from priorlab.pipeline import run_pipeline
+    from priorlab.report.folder import write_results
+
+    prior = Prior(arguments.p_wall, arguments.p_space)
+    tell = _Clock()
+    print(f"{drawing.name}: {drawing.shape[1]} x {drawing.shape[0]} pixels")
+    result = run_pipeline(
+        drawing,
+        plan,
+        seed=arguments.seed,
+        prior=prior,
+        method=THESIS if arguments.method == "thesis" else ROBUST,
+        cell_size=arguments.cell_size,
+        progress=tell,
+    )
+    tell("report")
+    write_results(result, arguments.out, arguments.command_line, arguments.force)
+    tell("done")
+    print()
+    for name, value in summary(result):
+        print(f"  {name:<34}{value}")
+    print(f"\n  open {Path(arguments.out) / 'report.html'}")
+    return exit_code(result)
+
+
+class _Clock:
+    """Prints what is being done and how long it has been going on."""
+
+    def __init__(self) -> None:
+        self.start = time.perf_counter()
+
+    def __call__(self, sentence: str) -> None:
+        print(f"[{time.perf_counter() - self.start:5.1f} s] {sentence}", flush=True)
+
+
+def exit_code(result: PipelineResult) -> int:
+    """0, or why the way ended early."""
+    if not result.has_walls:
+        return NO_WALLS
+    return ENDED_EARLY if result.stopped else GOOD
+
+
+def summary(result: PipelineResult) -> list[tuple[str, str]]:
+    """The numbers that matter, as rows of a small table."""
+    rows = [
+        ("scale", result.scale.sentence),
+        ("corners, doors", f"{len(result.extraction.corners)}, {len(result.extraction.doors)}"),
+    ]
+    score, mapping, search, drive = result.walls_score, result.mapping, result.search, result.drive
+    if score is not None:
+        rows.append(("walls: precision, recall", f"{score.precision:.3f}, {score.recall:.3f}"))
+    else:
+        rows.append(("walls", f"{100 * result.walls.mask.mean():.1f} % of the pixels; no truth is known, so no score"))
+    if not result.has_walls:
+        rows += [(f"  after {name}", f"{count} left") for name, count in result.extraction.funnel.items()]
+    if mapping is not None:
+        rows.append(("survey", f"{len(mapping.readings)} poses, {mapping.evidence.mean_looks:.2f} looks at a seen cell"))
+        if mapping.score_prior and mapping.score_uninformed and mapping.score_informed:
+            three = (mapping.score_prior, mapping.score_uninformed, mapping.score_informed)
+            rows.append(("map F2: plan, readings, both", ", ".join(f"{one.f_beta:.3f}" for one in three)))
+    if search is not None:
+        best = search.sweep.best("f_beta")
+        rows.append(("best F2 of all priors", f"{best.value:.3f}" + (f" at {best.plateaus[0]}" if best.plateaus else "")))
+        rows.append(
+            ("Pareto front: exact, NSGA-II", f"hypervolume {search.exact.hypervolume:.4f}, {search.searched.hypervolume:.4f}")
+        )
+    if drive is not None:
+        lost = f"; LOST: {drive.run.lost_because}" if drive.run.lost else ""
+        rows.append(("FastSLAM error (ATE)", f"{drive.run.ate_m(drive.log):.2f} m over {len(drive.run)} steps{lost}"))
+        if drive.score_prior and drive.score_uninformed and drive.score_informed:
+            three = (drive.score_prior, drive.score_uninformed, drive.score_informed)
+            rows.append(("FastSLAM F2: plan, scans, both", ", ".join(f"{one.f_beta:.3f}" for one in three)))
+    if result.stopped:
+        rows.append(("ended early", result.stopped))
+    return rows
+
+
+def _figures(arguments: argparse.Namespace) -> int:
+    """Figures of the thesis."""
+    from priorlab.figures.registry import FIGURES, figure_named
+    from priorlab.figures.writing import write_figures
+
+    if arguments.list or not arguments.name:
+        for name, entry in FIGURES.items():
+            print(f"{name:<16}{entry.title}")
+        return GOOD
+    chosen = list(FIGURES.values()) if arguments.name == "all" else [figure_named(arguments.name)]
+    for line in write_figures(chosen, arguments.out, arguments.seed, arguments.force):
+        print(line, flush=True)
+    return GOOD
+
+
+def _student(arguments: argparse.Namespace) -> int:
+    """The students' copies."""
+    check_free(arguments.out, arguments.force)
+    from priorlab.course.student import student_copy
+
+    for path in student_copy(arguments.notebooks, arguments.out, arguments.force, arguments.seed):
+        print(path)
+    return GOOD
+
+
+def _buildings(arguments: argparse.Namespace) -> int:
+    """The bundled buildings, a line each."""
+    from priorlab.buildings.floor_plans import floor_plan_names, load_floor_plan
+
+    for name in floor_plan_names():
+        print(load_floor_plan(name))
+    return GOOD
+
+
+if __name__ == "__main__":
+    sys.exit(main())
