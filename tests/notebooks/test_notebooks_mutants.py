@@ -16,17 +16,17 @@ import nbformat
 import pytest
 
 ROOT = Path(__file__).parents[2]
-MUTANTS = {
-    "log10 for ln": ("04_log_odds", "core/log_odds.py", "np.log(p / (1.0 - p))", "np.log10(p / (1.0 - p))", 1),
-    "l0 added in the recursion": ("04_log_odds", "mapping/recursion.py", "previous - lam * prior", "previous + lam * prior", 2),
-    "lam 0 by default": ("04_log_odds", "mapping/update.py", "lam: float = 1.0) -> GridMap", "lam: float = 0.0) -> GridMap", 2),
-    "l0 added in the closed form": (
-        "04_log_odds",
-        "mapping/update.py",
-        "l_0 + total - lam * looks",
-        "l_0 + total + lam * looks",
-        2,
-    ),
+LOG_ODDS, START = "04_log_odds", "00_start_here"
+CLOSED_FORM = "l_0 + total - lam * looks * l_0"
+MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red first
+    "log10 for ln": (LOG_ODDS, "core/log_odds.py", "np.log(p / (1.0 - p))", "np.log10(p / (1.0 - p))", 1),
+    "l0 added in the recursion": (LOG_ODDS, "mapping/recursion.py", "previous - lam * prior", "previous + lam * prior", 2),
+    "l0 added in the closed form": (LOG_ODDS, "mapping/update.py", CLOSED_FORM, "l_0 + total + lam * looks * l_0", 2),
+    "lam ignored": (LOG_ODDS, "mapping/update.py", CLOSED_FORM, "l_0 + total - looks * l_0", 3),
+    "threshold 0.1": (LOG_ODDS, "core/grid_map.py", "threshold: float = 0.2", "threshold: float = 0.1", 4),
+    "F1 for F2": (LOG_ODDS, "core/score.py", "DETECTED_WALL, beta: float = 2.0", "DETECTED_WALL, beta: float = 1.0", 5),
+    "factor 1": (START, "core/grid_map.py", "factor: float = 0.9", "factor: float = 1.0", 2),
+    "lam 0 by default": (START, "mapping/update.py", "lam: float = 1.0) -> GridMap", "lam: float = 0.0) -> GridMap", 3),
 }
 
 
@@ -52,7 +52,7 @@ def test_notebook_goes_red(name, tmp_path):
         check=False,
     )
     assert run.returncode == 1, run.stdout
-    assert "Traceback" not in run.stdout, run.stdout
+    assert "mismatch '" in run.stdout, run.stdout
     red = int(re.search(r"FAILED .*::Cell (\d+)", run.stdout).group(1))
     code = [cell for cell in nbformat.read(tmp_path / f"{stem}.ipynb", as_version=4).cells if cell.cell_type == "code"]
     assert f"objective-{objective}" in code[red].metadata.get("tags", []), (red, code[red].source)
