@@ -156,6 +156,8 @@ class Grid:
     def any_in_cells(self, mask: ArrayLike) -> NDArray[np.bool_]:
         """True for a cell when any of its pixels is set, or the pixel that holds its centre (cells below a pixel)."""
         mask = np.asarray(mask, dtype=bool)
+        if self.cell_size == 1 and mask.shape == self.image_shape:
+            return mask.copy()  # a slider on 1 px cells feels the rest
         anywhere = self.sum_in_cells(mask) > 0
         if self.cell_size < 2:
             height, width = self.image_shape

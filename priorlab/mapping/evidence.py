@@ -44,8 +44,8 @@ def gather_evidence(readings: Readings, grid: Grid) -> Evidence:
     total = np.zeros(rows * cols)
     looks = np.zeros(rows * cols, dtype=np.int64)
     for seen in observe(readings, grid):
-        total += np.bincount(seen.cell, weights=log_odds(seen.p_empty), minlength=rows * cols)
-        looks += np.bincount(seen.cell, minlength=rows * cols)
+        np.add.at(total, seen.cell, log_odds(seen.p_empty))  # costs what was seen, however large the map
+        np.add.at(looks, seen.cell, 1)
     return Evidence(total.reshape(rows, cols), looks.reshape(rows, cols), grid, readings.sensor)
 
 

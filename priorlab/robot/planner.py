@@ -117,7 +117,7 @@ def _runs(line: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 def _stops(space: FreeSpace, room: int) -> list[tuple[int, int]]:
-    """The pixels (row, col) that a tour visits in a room: the one farthest from the walls, and both ends of a long or only room."""
+    """Pixels (row, col) that a tour visits in a room: the one farthest from the walls, both ends of a long or only room."""
     inside = space.rooms == room
     row, col = np.unravel_index(int(np.where(inside, space.distance, -1.0).argmax()), inside.shape)
     stops = [(int(row), int(col))]

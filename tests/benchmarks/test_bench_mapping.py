@@ -1,0 +1,134 @@
+"""Simulation, evidence and update against the naive ways: 600 x 800 pixels, 1,600 poses, range 40 px, measured in one run."""
+
+import math
+import time
+
+import numpy as np
+import pytest
+
+from priorlab.core.building import Truth
+from priorlab.core.drawing import Walls
+from priorlab.core.grid import Grid
+from priorlab.core.picture import encode_png, grey_of
+from priorlab.core.score import score_map
+from priorlab.core.sensor import RangeSensor
+from priorlab.core.survey import look_around
+from priorlab.mapping.evidence import gather_evidence
+from priorlab.mapping.prior import build_prior_map
+from priorlab.mapping.recursion import update_step_by_step
+from priorlab.mapping.update import update_map
+from priorlab.robot.explore import explore
+
+HEIGHT, WIDTH, POSES = 600, 800, 1600
+
+
+@pytest.fixture(scope="module")
+def survey():
+    """Rooms of 100 px with doors of 30 px, and 1,600 poses that look around in them."""
+    walls = np.zeros((HEIGHT, WIDTH), dtype=bool)
+    segments = []
+    for top in range(0, HEIGHT, 100):
+        for left in range(0, WIDTH, 100):
+            walls[top : top + 4, left : left + 100] = walls[top : top + 100, left : left + 4] = True
+            walls[top : top + 4, left + 35 : left + 65] = walls[top + 35 : top + 65, left : left + 4] = False
+            for y in (25.5, 55.5, 85.5):
+                segments.append(((left + 12.5, HEIGHT - top - y), (left + 92.5, HEIGHT - top - y)))
+    poses = look_around(segments, spacing=6.5)
+    poses = poses[np.linspace(0, len(poses) - 1, POSES).astype(int)]
+    return Truth(walls, walls & False), poses
+
+
+def milliseconds(work, repeats=5):
+    """Least time of a call (the machine is shared), and what it returned."""
+    times = []
+    for _ in range(repeats):
+        start = time.perf_counter()
+        result = work()
+        times.append(1e3 * (time.perf_counter() - start))
+    return min(times), result
+
+
+def naive_range(solid, x, y, angle, max_range):
+    """One ray, pixel by pixel in plain Python."""
+    cos, sin = math.cos(angle), math.sin(angle)
+    col, row, t = math.floor(x), math.floor(y), 0.0
+    while t <= max_range and 0 <= row < HEIGHT and 0 <= col < WIDTH:
+        if solid[HEIGHT - 1 - row][col]:
+            return t
+        tx = ((col + (cos > 0)) - x) / cos if cos else math.inf
+        ty = ((row + (sin > 0)) - y) / sin if sin else math.inf
+        t = min(tx, ty)
+        col, row = (col + (1 if cos > 0 else -1), row) if tx < ty else (col, row + (1 if sin > 0 else -1))
+    return math.inf
+
+
+def naive_evidence(readings):
+    """S and n at 1 px: every pixel of every cone in plain Python."""
+    sensor, total, looks = readings.sensor, np.zeros((HEIGHT, WIDTH)), np.zeros((HEIGHT, WIDTH), dtype=int)
+    reach, logit = int(sensor.max_range), math.log(sensor.p_free / (1 - sensor.p_free))
+    apart = readings.bearings[1] - readings.bearings[0]
+    for (x, y, theta), ranges in zip(readings.poses, readings.ranges, strict=True):
+        for row in range(max(0, int(HEIGHT - y) - reach - 1), min(HEIGHT, int(HEIGHT - y) + reach + 2)):
+            for col in range(max(0, int(x) - reach - 1), min(WIDTH, int(x) + reach + 2)):
+                dx, dy = col + 0.5 - x, HEIGHT - row - 0.5 - y
+                distance = math.hypot(dx, dy)
+                bearing = (math.atan2(dy, dx) - theta + math.pi) % (2 * math.pi) - math.pi
+                if distance > sensor.max_range or (distance > 0 and abs(bearing) > sensor.half_angle):
+                    continue
+                measured = ranges[round((bearing + sensor.half_angle) / apart)]
+                if distance <= measured + sensor.wall_thickness:
+                    total[row, col] += logit if distance < measured else -logit
+                    looks[row, col] += 1
+    return total, looks
+
+
+def test_bench_survey_and_evidence(survey):
+    truth, poses = survey
+    sensor = RangeSensor(max_range=40)
+    simulated, readings = milliseconds(lambda: explore(truth, poses, sensor))
+
+    few = slice(0, POSES, 100)  # the naive ways see one pose in a hundred
+    solid, part = truth.obstacles.tolist(), readings[few]
+    naive_rays, ranges = milliseconds(
+        lambda: [[naive_range(solid, x, y, t + b, 40) for b in readings.bearings] for x, y, t in part.poses.tolist()], 1
+    )
+    np.testing.assert_allclose(part.ranges, ranges, atol=1e-6)
+    naive_cones, (total, looks) = milliseconds(lambda: naive_evidence(part), 1)
+    by_array = gather_evidence(part, Grid((HEIGHT, WIDTH)))
+    assert (by_array.looks != looks).sum() <= 0.001 * looks.sum()  # ties at the rim of a cone
+    assert (np.abs(by_array.total - total) > 1e-9).sum() <= 0.001 * looks.sum()
+
+    print(f"\n{POSES:,} poses, range 40 px, {len(readings.bearings)} bearings; {WIDTH} x {HEIGHT} px      ms     naive way, ms")
+    print(f"  ranges (explore)                                     {simulated:8.0f} {100 * naive_rays:16,.0f}")
+    for cell_size in (1, 2, 3, 5, 10, 2.5):
+        grid = Grid((HEIGHT, WIDTH), cell_size)
+        gathered, evidence = milliseconds(lambda grid=grid: gather_evidence(readings, grid), 3)
+        naive = f"{100 * naive_cones:16,.0f}" if cell_size == 1 else ""
+        looked = f"   {evidence.mean_looks:.2f} looks" if not naive else ""
+        print(f"  evidence, cells of {cell_size:4g} px                           {gathered:8.0f} {naive}{looked}")
+        assert simulated + gathered < 2000  # the aim is 400 ms; a shared machine may be five times slower
+    assert naive_cones + naive_rays > (simulated + gathered) / 100
+
+
+def test_bench_slider(survey):
+    truth, poses = survey
+    walls = Walls(truth.walls.astype(np.uint8))
+    readings = explore(truth, poses, RangeSensor(max_range=40))
+
+    def moved(prior_map, evidence):
+        """What a slider does: map, score, picture."""
+        posterior = update_map(prior_map, evidence)
+        return score_map(posterior, truth), encode_png(grey_of(posterior.grid.to_image(posterior.p_empty)))
+
+    print(f"\nOne move of a slider, {WIDTH} x {HEIGHT} px                          ms     step by step, ms")
+    for cell_size in (3, 1):
+        prior_map = build_prior_map(walls, cell_size=cell_size)
+        evidence = gather_evidence(readings, prior_map.grid)
+        built, _ = milliseconds(lambda size=cell_size: build_prior_map(walls, cell_size=size))
+        shown, _ = milliseconds(lambda prior_map=prior_map, evidence=evidence: moved(prior_map, evidence))
+        part = readings[: POSES // 100]
+        slow, step_by_step = milliseconds(lambda prior_map=prior_map, part=part: update_step_by_step(prior_map, part), 1)
+        closed = update_map(prior_map, gather_evidence(part, prior_map.grid))
+        np.testing.assert_allclose(step_by_step.log_odds, closed.log_odds, atol=1e-9)
+        print(f"  cells of {cell_size} px: prior map {built:5.1f} ms + map, score, PNG {shown:8.1f} {100 * slow:18,.0f}")
+        assert built + shown < 500
