@@ -48,6 +48,11 @@ def parse_description(text: str, name: str = "building") -> Description:
         styles = table.pop("styles")
         table["styles"] = {key: _record(WallStyle, value, f"styles.{key}") for key, value in styles.items()}
     description = typing.cast(Description, _record(Description, table, "the building"))
+    for key, style in description.styles.items():
+        if style.look != "single" and style.thickness < description.metres_per_pixel:
+            raise ValueError(
+                f"styles.{key}: thickness must be at least a pixel, {description.metres_per_pixel:g} m, got {style.thickness:g}"
+            )
     for number, wall in enumerate(description.walls, start=1):
         _check_wall(wall, description.styles, f"walls {number}")
     for number, chosen in enumerate(description.rooms, start=1):

@@ -19,6 +19,7 @@ from priorlab.buildings.truth import truth_of
 from priorlab.buildings.wall_masks import wall_masks
 from priorlab.buildings.world import world_of
 from priorlab.core.building import FloorPlan, Truth
+from priorlab.core.checks import check_positive
 from priorlab.core.shipped import data_folder, nearest_name
 
 QUICK_SPACING = 0.3
@@ -84,7 +85,7 @@ def build_floor_plan(
     drawing = render(layout, walls, room_areas_m2(layout, regions))
     reach = sensor_range(truth)
     blocked = world.obstacles | truth.obstacles
-    spacing = survey_spacing or round(QUICK_SPACING * reach)
+    spacing = round(QUICK_SPACING * reach) if survey_spacing is None else check_positive("survey_spacing", survey_spacing)
     survey = survey_of(list(regions.values()), blocked, description.metres_per_pixel, reach, spacing)
     start, stops = _stops(layout)
     tour = tour_of(start, stops, world.obstacles | ~indoors(layout, solid), description.metres_per_pixel, tour_share)
@@ -96,7 +97,7 @@ def build_floor_plan(
 def sensor_range(truth: Truth) -> float:
     """The range that the thesis takes for a plan: the length of a door's side, pixels; the middle one of all doors."""
     sides = [float(np.hypot(*(door.points[2] - door.points[0]))) for door in truth.doors]
-    return float(np.median(sides)) if sides else USUAL_REACH
+    return round(float(np.median(sides)), 3) if sides else USUAL_REACH
 
 
 def _stops(layout: Layout) -> tuple[tuple[float, float], list[tuple[str, tuple[float, float]]]]:

@@ -23,17 +23,17 @@ def world_of(layout: Layout) -> World:
     for piece in (*layout.furniture, *layout.stairs):
         things += footprints(piece)
     for door in layout.doors:
-        things += _leaf_outlines(door)
+        things += _leaf_outlines(door, max(LEAF, 1.5 * layout.frame.metres_per_pixel))
     solid |= fine_mask(layout.frame, things)
     return World(coverage(solid) >= 0.5, layout.frame.metres_per_pixel)
 
 
-def _leaf_outlines(door: PlacedDoor) -> list[Points]:
-    """Slim rectangles where the leaves stand."""
+def _leaf_outlines(door: PlacedDoor, thickness: float) -> list[Points]:
+    """Slim rectangles where the leaves stand; a leaf of 1.5 pixels or more has no gap in the picture."""
     outlines = []
     for leaf in door.leaves:
         path = folded(leaf) if door.part.kind == "folding" else np.array([leaf.hinge, leaf.tip(door.part.open)])
         for start, end in zip(path, path[1:], strict=False):
             length = float(np.linalg.norm(end - start))
-            outlines.append(bar((start + end) / 2, (end - start) / length, length, LEAF))
+            outlines.append(bar((start + end) / 2, (end - start) / length, length, thickness))
     return outlines
