@@ -14,6 +14,7 @@ import ipywidgets
 from priorlab.widgets.picture import Picture
 from priorlab.widgets.sliders import Slider
 
+_CELL = "padding:1px 12px 1px 0;line-height:1.35;text-align:left"
 _WRAP = ipywidgets.Layout(flex_flow="row wrap", align_items="flex-start")
 
 
@@ -109,7 +110,7 @@ def table(rows: Sequence[tuple[str, str]], caption: str = "") -> str:
     """A readout as HTML: a name and a number in each line; announced politely to screen readers."""
     head = f"<b>{caption}</b>" if caption else ""
     lines = "".join(
-        f"<tr><td style='padding-right:1em'>{name}</td><td style='font-variant-numeric:tabular-nums'>{value}</td></tr>"
+        f"<tr><td style='{_CELL}'>{name}</td><td style='{_CELL};font-variant-numeric:tabular-nums'>{value}</td></tr>"
         for name, value in rows
     )
     return f"<div role='status' style='margin:0 1em'>{head}<table>{lines}</table></div>"

@@ -82,6 +82,8 @@ class MapLab(Lab):
             ("prior alone", _line(self.prior_score)),
             ("readings alone", _line(self.uninformed_score)),
             ("looks per seen cell", f"{self._evidence.mean_looks:.2f}"),
+            ("left picture", "P(empty): white = empty, black = wall"),
+            ("right picture", LEGEND),
             ("eq. 2.22", broken.replace("; ", ";<br>").replace(": each", ":<br>each") if broken else "holds"),
         ]
         self.readout.value = table(rows, caption=f"detected as wall: P(empty) &le; {self._threshold:g}")

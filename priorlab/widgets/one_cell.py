@@ -56,7 +56,7 @@ class OneCellLab(Lab):
             "p_free": self.p_free,
             "p_occupied": self.p_occupied,
         }
-        super().__init__(sliders, PRESETS, [Picture()])
+        super().__init__(sliders, PRESETS, [Picture(width=430)])
 
     def refresh(self) -> None:
         """Once in closed form for the numbers, once step by step for the picture."""

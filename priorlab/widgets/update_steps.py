@@ -35,7 +35,7 @@ class UpdateSteps(Lab):
     """
 
     def __init__(
-        self, prior_map: GridMap, readings: Readings, cell: tuple[int, int] = (0, 0), lam: float = 1.0, width: int = 400
+        self, prior_map: GridMap, readings: Readings, cell: tuple[int, int] = (0, 0), lam: float = 1.0, width: int = 390
     ) -> None:
         rows, cols = prior_map.grid.shape
         self._prior_map, self._readings = prior_map, readings
@@ -50,7 +50,7 @@ class UpdateSteps(Lab):
         back.on_click(lambda _: self.step(-1))
         presets = {"no reading": {"k": 0}, "all readings": {"k": len(readings)}}
         sliders = {"k": self.k, "row": self.row, "col": self.col, "lam": self.lam}
-        super().__init__(sliders, presets, [Picture(width=width), Picture()], [back, ahead])
+        super().__init__(sliders, presets, [Picture(width=width), Picture(width=430)], [back, ahead])
 
     def step(self, by: int = 1) -> None:
         """Take the next reading in (or, with -1, the last one out); at the ends nothing happens."""
@@ -114,6 +114,6 @@ class UpdateSteps(Lab):
             x, y, theta = self._readings.poses[k - 1]
             centre = np.array([x / grid.cell_size, grid.shape[0] - y / grid.cell_size]) * zoom
             turn = theta + np.array([0.0, 2.6, -2.6])
-            corners = centre + 1.6 * zoom * np.column_stack([np.cos(turn), -np.sin(turn)])
+            corners = centre + 1.1 * zoom * np.column_stack([np.cos(turn), -np.sin(turn)])
             cv2.fillPoly(picture, [np.rint(corners).astype(np.int32)], ROBOT, cv2.LINE_AA)
         return picture
