@@ -6,6 +6,7 @@ import functools
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from priorlab.buildings.description import read_description
 from priorlab.buildings.layout import Layout, lay_out
@@ -20,6 +21,7 @@ from priorlab.buildings.wall_masks import wall_masks
 from priorlab.buildings.world import world_of
 from priorlab.core.building import FloorPlan, Truth
 from priorlab.core.checks import check_positive
+from priorlab.core.drawing import Drawing
 from priorlab.core.shipped import data_folder, nearest_name
 
 QUICK_SPACING = 0.3
@@ -76,13 +78,9 @@ def build_floor_plan(
 ) -> FloorPlan:
     """Everything that follows from a description."""
     layout = lay_out(description)
-    shown = [door.opening.outline for door in layout.doors if not door.part.plan_shows_wall]
-    panes = [window.opening.outline for window in layout.windows]
-    walls = wall_masks(layout, shown + panes)
-    truth, world = truth_of(layout, walls), world_of(layout)
-    solid = coverage(walls.body | fine_mask(layout.frame, panes)) >= 0.5
+    drawing, truth, solid = _draw(layout)
+    world = world_of(layout)
     regions = room_regions(layout, solid)
-    drawing = render(layout, walls, room_areas_m2(layout, regions))
     reach = sensor_range(truth)
     blocked = world.obstacles | truth.obstacles
     spacing = round(QUICK_SPACING * reach) if survey_spacing is None else check_positive("survey_spacing", survey_spacing)
@@ -92,6 +90,22 @@ def build_floor_plan(
     for array in (drawing.grey, truth.walls, truth.ignore, world.obstacles, survey, tour):
         array.setflags(write=False)  # they are shared by everybody who loads this building
     return FloorPlan(name or description.name, drawing, truth, world, survey, tour)
+
+
+def draw_plan(description: Description) -> tuple[Drawing, Truth]:
+    """Only the drawing and its truth: for drawings that nobody walks through."""
+    drawing, truth, _ = _draw(lay_out(description))
+    return drawing, truth
+
+
+def _draw(layout: Layout) -> tuple[Drawing, Truth, NDArray[np.bool_]]:
+    """The drawing, its truth, and (height, width) True on solid walls and windows."""
+    shown = [door.opening.outline for door in layout.doors if not door.part.plan_shows_wall]
+    panes = [window.opening.outline for window in layout.windows]
+    walls = wall_masks(layout, shown + panes)
+    solid = coverage(walls.body | fine_mask(layout.frame, panes)) >= 0.5
+    areas_m2 = room_areas_m2(layout, room_regions(layout, solid))
+    return render(layout, walls, areas_m2), truth_of(layout, walls), solid
 
 
 def sensor_range(truth: Truth) -> float:

@@ -55,7 +55,7 @@ class WallStyle:
     ink : colour "#rrggbb" of lines and filling
     fill : colour between the lines of a hollow or hatched wall, or None
     line : weight of the outline, pixels
-    hatch : distance between hatch lines, metres
+    hatch, hatch_angle : distance between hatch lines, metres, and their direction, degrees
     """
 
     thickness: float = 0.12
@@ -64,6 +64,7 @@ class WallStyle:
     fill: str | None = None
     line: float = 1.6
     hatch: float = 0.12
+    hatch_angle: float = 45.0
 
     def __post_init__(self) -> None:
         for name in ("thickness", "line", "hatch"):

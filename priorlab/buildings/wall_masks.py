@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import cv2
@@ -42,7 +43,10 @@ class WallMasks:
 
 
 def wall_masks(layout: Layout, openings: list[Points]) -> WallMasks:
-    """The walls of a layout with these gaps cut out; where two styles meet, the one named first in the description wins."""
+    """The walls of a layout with these gaps cut out; where two styles meet, the one named first in the description wins.
+
+    Walls of one look and ink flow into each other; between others the outline goes on.
+    """
     styles = layout.description.styles
     gaps = fine_mask(layout.frame, [_widened(gap) for gap in openings])
     taken = gaps.copy()
@@ -51,12 +55,12 @@ def wall_masks(layout: Layout, openings: list[Points]) -> WallMasks:
         body = fine_mask(layout.frame, [piece.outline for piece in layout.pieces if piece.style == name]) & ~taken
         taken |= body
         bodies[name] = body
-    together = taken & ~gaps
     ink: dict[str, NDArray[np.bool_]] = {}
-    band = np.zeros_like(together)
+    band = np.zeros_like(gaps)
     for name, style in styles.items():
         if style.look in ("hollow", "hatched"):
-            inside = _eroded(together, style.line) & bodies[name]
+            alike = {key: bodies[key] for key, other in styles.items() if (other.look, other.ink) == (style.look, style.ink)}
+            inside = _eroded(_union(alike), style.line) & bodies[name]
             ink[name] = bodies[name] & ~inside
             band |= inside
         else:
@@ -65,11 +69,12 @@ def wall_masks(layout: Layout, openings: list[Points]) -> WallMasks:
 
 
 def hatching(frame: Frame, style: WallStyle, line: float) -> NDArray[np.bool_]:
-    """Lines at 45 degrees over the whole sheet, to be cut by a band."""
+    """Parallel lines over the whole sheet, to be cut by a band."""
     rows, cols = np.ogrid[: frame.shape[0] * FINER, : frame.shape[1] * FINER]
-    step = max(4, round(style.hatch / frame.metres_per_pixel * FINER * np.sqrt(2)))
-    width = max(1, round(line * FINER * np.sqrt(2)))
-    return np.asarray((rows + cols) % step < width)
+    angle = math.radians(style.hatch_angle)
+    across = rows * round(math.cos(angle), 9) + cols * round(math.sin(angle), 9)  # rounded: the same on every machine
+    step = max(2.0 * line, style.hatch / frame.metres_per_pixel) * FINER
+    return np.asarray(across % step < line * FINER)
 
 
 def _union(masks: dict[str, NDArray[np.bool_]]) -> NDArray[np.bool_]:
