@@ -115,3 +115,8 @@ def test_worse_judges_by_running_the_map(monkeypatch):
     assert "F2 0.700, without a prior 0.400" in check("00.worse", (0.2, 0.9)).says
     assert "two numbers" in check("00.worse", 0.5).says
     assert "effective p_wall must lie strictly between 0 and 1" in check("00.worse", (0, 0.5)).says
+
+
+def test_worse_really_runs_the_notebooks_map():
+    assert check("00.worse", (0.9, 0.2)).right
+    assert "without a prior 0." in check("00.worse", (0.2, 1.0)).says  # breaks eq. 2.22, which is no reason to warn here
