@@ -54,6 +54,13 @@ def main(argv: Sequence[str] | None = None) -> int:
         return BAD_INPUT
 
 
+def _seed(text: str) -> int:
+    """A seed: a whole number of at least 0."""
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"seed must be a whole number of at least 0, got {text}")
+    return int(text)
+
+
 def _parser() -> argparse.ArgumentParser:
     """All commands and what they take."""
     parser = _Parser(
@@ -87,7 +94,7 @@ def _parser() -> argparse.ArgumentParser:
     student = commands.add_parser("student", help="copies of the notebooks without the solutions")
     student.add_argument("out", metavar="OUT", help="folder for the copies")
     student.add_argument("--notebooks", default="notebooks", metavar="DIR", help="the teacher's notebooks (default %(default)s)")
-    student.add_argument("--seed", type=int, default=0, help="the student's own numbers (default %(default)s)")
+    student.add_argument("--seed", type=_seed, default=0, help="the student's own numbers (default %(default)s)")
     student.add_argument("--force", action="store_true", help="replace what stands at OUT")
     student.set_defaults(act=_student)
 
@@ -103,7 +110,7 @@ def _where(command: argparse.ArgumentParser, out: str | None) -> None:
     words = "folder for the results" + (" (default %(default)s)" if out else "")
     command.add_argument("--out", default=out, required=out is None, metavar="DIR", help=words)
     command.add_argument("--force", action="store_true", help="replace what stands there")
-    command.add_argument("--seed", type=int, default=0, help="of everything random (default %(default)s)")
+    command.add_argument("--seed", type=_seed, default=0, help="of everything random (default %(default)s)")
 
 
 def _how_to_run(command: argparse.ArgumentParser, out: str | None, method: str) -> None:

@@ -126,7 +126,8 @@ class PipelineResult:
     seed, prior, method, cell_size : how it was run
     scale : metres per pixel and where they come from
     extraction : chapter 3; `walls` are its walls, with the scale
-    walls_score : against the truth
+    walls_score : against the truth, when it is known
+    prior_map : what the walls make of the prior; None without walls
     mapping, search, drive : the records of chapters 4 to 6
     stopped : the sentence that says why the way ended early
     notes : what else was decided or noticed, in sentences
@@ -143,6 +144,7 @@ class PipelineResult:
     extraction: Extraction
     walls: Walls
     walls_score: Score | None = None
+    prior_map: GridMap | None = None
     mapping: Mapping | None = None
     search: Search | None = None
     drive: Drive | None = None
@@ -203,6 +205,8 @@ def run_pipeline(
     ValueError
         For a cell size larger than the drawing, or a scale that is not positive.
     """
+    if seed < 0:
+        raise ValueError(f"seed must be a whole number of at least 0, got {seed}")
     Grid(drawing.shape, cell_size)  # say at once when the cells are too large
     if metres_per_pixel is not None:
         check_positive("metres_per_pixel", metres_per_pixel)
@@ -229,8 +233,8 @@ def run_pipeline(
         seconds=stage.seconds,
     )
     if not result.has_walls:
-        return replace(result, stopped=f"no walls were found: the stage {extraction.lost_at} lost them")
-
+        return replace(result, stopped=f"no walls were found: the stage '{extraction.lost_at}' lost them")
+    result = replace(result, prior_map=build_prior_map(walls, prior, cell_size))
     if plan is not None:
         survey, tour, truth, world, building = plan.survey, plan.tour, plan.truth, plan.world, plan.truth
     elif scale.metres_per_pixel is None:
@@ -255,6 +259,8 @@ def run_pipeline(
     if truth is not None:
         with stage("search", "every prior at once, Pareto fronts and clusters"):
             result = replace(result, search=search_priors(walls, mapping.evidence, truth, rng_search))
+    if not (tour != tour[0]).any():
+        return replace(result, stopped="no drive: the extracted walls leave the robot only one place to go to")
     with stage("drive", "FastSLAM through the building"):
         result = replace(result, drive=drive_with_prior(walls, world, tour, truth, rng_world, rng_filter))
     return result

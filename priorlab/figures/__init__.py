@@ -1,1 +1,1 @@
-"""The thesis's figures and tables, computed again."""
+"""Figures and tables of the thesis, made anew with our buildings: a picture, our numbers, and a verdict that is computed."""

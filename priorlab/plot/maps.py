@@ -63,7 +63,7 @@ def looks(evidence: Evidence, ax: Axes | None = None, title: str | None = None) 
     n = np.where(evidence.seen, evidence.looks.astype(np.float64), np.nan)
     top = float(np.nanpercentile(n, 99)) if evidence.seen.any() else 1.0
     image = ax.imshow(
-        n, extent=_extent(evidence.grid, False), cmap="cividis_r", vmin=0, vmax=max(top, 2.0), interpolation="nearest"
+        n, extent=_extent(evidence.grid, False), cmap="cividis_r", vmin=0.5, vmax=max(top, 2.0), interpolation="nearest"
     )
     ax.figure.colorbar(image, ax=ax, shrink=0.8, label="looks at a cell")
     words = f"{100 * evidence.seen.mean():.0f} % of the cells seen, {evidence.mean_looks:.2f} looks each"

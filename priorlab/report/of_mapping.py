@@ -5,15 +5,16 @@ from __future__ import annotations
 from functools import partial
 
 from priorlab import plot
+from priorlab.core.grid_map import GridMap
 from priorlab.pipeline import Mapping, PipelineResult
 from priorlab.plot.extraction import LEGEND
 from priorlab.report.pictures import picture, size_for
 from priorlab.report.section import Section, percent, score_table
 
 
-def prior_section(result: PipelineResult, mapping: Mapping) -> Section:
+def prior_section(result: PipelineResult, prior_map: GridMap) -> Section:
     """Chapter 4.2."""
-    prior, grid = result.prior, mapping.prior_map.grid
+    prior, grid = result.prior, prior_map.grid
     rows, cols = grid.shape
     return Section(
         "Prior map: believe the drawing a little",
@@ -26,7 +27,7 @@ def prior_section(result: PipelineResult, mapping: Mapping) -> Section:
         ),
         (
             picture(
-                lambda ax: plot.map(mapping.prior_map, ax),
+                lambda ax: plot.map(prior_map, ax),
                 f"The prior map: dark walls at P(empty) {prior.effective_p_wall:.2g}, light space at "
                 f"{prior.effective_p_space:.2g}.",
                 f"{cols} x {rows} cells of {grid.cell_size:g} pixels.",

@@ -13,9 +13,10 @@ from priorlab.report.section import Section
 def sections_of(result: PipelineResult) -> list[Section]:
     """The sections that this result has."""
     sections = [drawing_section(result), walls_section(result)]
+    if result.prior_map is not None:
+        sections.append(prior_section(result, result.prior_map))
     if result.mapping is not None:
-        sections += [prior_section(result, result.mapping), survey_section(result, result.mapping)]
-        sections += [posterior_section(result, result.mapping)]
+        sections += [survey_section(result, result.mapping), posterior_section(result, result.mapping)]
     if result.search is not None and result.mapping is not None:
         sections.append(search_section(result, result.search))
     if result.drive is not None:
