@@ -1,4 +1,4 @@
-"""Colour-blind readers tell the colours of the labs apart, simulated with the matrices of Machado, Oliveira and Fernandes 2009."""
+"""Colour-blind readers tell the colours of the labs apart, simulated by the matrices of Machado, Oliveira and Fernandes."""
 
 from __future__ import annotations
 
