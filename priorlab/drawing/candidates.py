@@ -20,6 +20,7 @@ TESTS = (
     "dark share",
     "overlap",
     "size mode",
+    "kind",
     "outer walls",
 )
 """Names of the tests, in their order. A candidate's reason is the position of the test that it failed; -1 = a door."""

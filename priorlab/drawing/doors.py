@@ -23,6 +23,12 @@ from priorlab.drawing.symbol import Symbols, is_box, read_symbols, supported
 SURE_SUPPORT = 0.9
 """Share of wall ink beyond both jambs of a door without an arc."""
 
+SLACK_SHARE = 0.001
+"""Ink counts as on a line of a symbol within this share of M, and at least within a pixel."""
+
+SURE_INK = 0.9
+"""Share of ink along both sides of a door without an arc."""
+
 FEWEST_FOR_A_MODE = 3
 """Doors that must agree on a size before others are dropped for theirs."""
 
@@ -71,11 +77,12 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
     _reject(reasons, "orientation", alive, (tilt <= method.max_tilt) & (across[:, 0] != across[:, 1]))  # eq. 3.15
 
     alive = np.flatnonzero(reasons == DOOR)
-    widened = cv2.dilate(sheet.lines.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
+    slack = 2 * max(1, round(SLACK_SHARE * sheet.long_side)) + 1  # corners lie a little beside the ink
+    widened = cv2.dilate(sheet.lines.astype(np.uint8), np.ones((slack, slack), np.uint8)).astype(bool)
     symbols = read_symbols(widened, sheet.walls, triangles[alive])
     looks = (symbols.leaf >= method.min_leaf) & (symbols.swing >= method.min_arc) & _leaf_fits(symbols, method)
     if method.min_leaf > 0:
-        looks &= (symbols.arc >= symbols.chord) | ~is_box(widened, symbols)
+        looks &= symbols.has_arc | ~is_box(widened, symbols)
     _reject(reasons, "symbol", alive, looks)
     _reject(reasons, "open side", alive, symbols.open_ink <= method.max_open_ink)
     _reject(reasons, "jamb support", alive, _at_walls(symbols, looks & (symbols.open_ink <= method.max_open_ink), method))
@@ -92,6 +99,11 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
 
     symbols, alive = _still(symbols, alive, reasons)
     _reject(reasons, "size mode", alive, _near_mode(symbols, method.size_mode_factor))
+
+    symbols, alive = _still(symbols, alive, reasons)
+    if method.one_kind:
+        arcs = symbols.has_arc
+        _reject(reasons, "kind", alive, arcs | (arcs.sum() < FEWEST_FOR_A_MODE))
 
     symbols, alive = _still(symbols, alive, reasons)
     if method.drop_on_outer_walls and alive.size:
@@ -126,8 +138,10 @@ def _at_walls(symbols: Symbols, alive: NDArray[np.bool_], method: Method) -> NDA
     passed = np.zeros(len(alive), dtype=bool)
     some = np.flatnonzero(alive)
     left = symbols[some]
-    straight = (left.chord > left.arc) & (method.min_support > 0)
-    passed[some] = supported(left, method.min_support) & ~(straight & (left.support < SURE_SUPPORT))
+    passed[some] = supported(left, method.min_support)
+    if method.min_support > 0:
+        sure = (left.support >= SURE_SUPPORT) & (left.leaf >= SURE_INK) & (left.chord >= SURE_INK) & (left.open_ink < 0.1)
+        passed[some] &= left.has_arc | sure
     return passed
 
 
@@ -153,7 +167,9 @@ def _near_mode(symbols: Symbols, factor: float | None) -> NDArray[np.bool_]:
     mode = widths[votes.argmax()]
     if close[votes.argmax()].sum() < FEWEST_FOR_A_MODE:
         return np.ones(len(widths), dtype=bool)
-    return np.asarray(np.maximum(widths, mode) <= factor * np.minimum(widths, mode))
+    straight = ~symbols.has_arc  # these are easily mistaken: they must agree more closely
+    allowed = np.where(straight, np.sqrt(factor), factor)
+    return np.asarray(np.maximum(widths, mode) <= allowed * np.minimum(widths, mode))
 
 
 def _on_outer_wall(triangles: NDArray[np.float64], corners: NDArray[np.float64], tolerance: float) -> NDArray[np.bool_]:
@@ -167,7 +183,7 @@ def _on_outer_wall(triangles: NDArray[np.float64], corners: NDArray[np.float64],
 
 def _as_doors(symbols: Symbols, scale: int) -> tuple[Door, ...]:
     """Doors in pixels of the drawing that came in."""
-    kinds = np.where(symbols.arc >= symbols.chord, "arc", "straight")
+    kinds = np.where(symbols.has_arc, "arc", "straight")
     return tuple(
         Door(
             hinge=(float(h[0] / scale), float(h[1] / scale)),

@@ -1,6 +1,6 @@
 """Walls between faces: the gap between two long strokes that run side by side is the inside of a wall.
 
-That makes one thing of filled, hollow and hatched walls. M is the long side of the drawing.
+That makes one thing of filled, hollow and hatched walls.
 """
 
 from __future__ import annotations
@@ -11,21 +11,13 @@ from numpy.typing import NDArray
 
 from priorlab.drawing.preprocessing import large_components
 from priorlab.drawing.runs import gaps_between, grow_along, run_lengths
-
-FACE_LENGTH = 0.02
-"""Shortest face of a wall, share of M."""
-
-WALL_THICKNESS = 0.02
-"""Thickest hollow wall, share of M."""
+from priorlab.drawing.wall_sizes import WallSizes
 
 SOLID_SHARE = 0.75
 """Walls are drawn solid when heavy strokes alone make up so much of them; then gaps are closets and windows, no walls."""
 
 CELL_COVERED = 0.4
 """A thin cell is wall when so much of it is."""
-
-PIECE_LENGTH = 0.03
-"""Shortest piece of wall that stays, share of M."""
 
 LONE_DISTANCE = 0.06
 """A bar stands alone when nothing else does within this share of M: about a door's width."""
@@ -37,7 +29,7 @@ HATCHED = (0.12, 0.50)
 """Share of ink between the faces of a hatched wall."""
 
 
-def thin_cells(ink: NDArray[np.bool_], long_side: int) -> NDArray[np.int32]:
+def thin_cells(ink: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.int32]:
     """Number the white areas, enclosed by ink, that are nowhere wider than a wall; 0 elsewhere.
 
     Insides of hollow walls and of hatching are such cells, and so are treads and panes.
@@ -45,13 +37,13 @@ def thin_cells(ink: NDArray[np.bool_], long_side: int) -> NDArray[np.int32]:
     n_cells, labels = cv2.connectedComponents((~ink).astype(np.uint8), connectivity=4)
     inside = cv2.distanceTransform(np.pad(~ink, 1, constant_values=False).astype(np.uint8), cv2.DIST_C, 3)[1:-1, 1:-1]
     wide = np.zeros(n_cells, dtype=bool)
-    wide[labels[inside > WALL_THICKNESS * long_side / 2 + 0.5]] = True
+    wide[labels[inside > sizes.thickness / 2 + 0.5]] = True
     wide[0] = True
     return np.where(wide[labels], 0, labels).astype(np.int32)
 
 
 def walls_between(
-    faces: NDArray[np.bool_], ink: NDArray[np.bool_], cells: NDArray[np.int32], long_side: int
+    faces: NDArray[np.bool_], ink: NDArray[np.bool_], cells: NDArray[np.int32], sizes: WallSizes
 ) -> tuple[NDArray[np.bool_], bool]:
     """Walls from the ink of their faces: the strokes themselves where they are solid, else the strokes and what lies between.
 
@@ -60,28 +52,28 @@ def walls_between(
     faces : (height, width) bool, ink taken for the faces (of a filled wall: all of it)
     ink : (height, width) bool, ink along which a face may go on
     cells : (height, width) thin cells
-    long_side : M, pixels
+    sizes : how thick and long walls are on this sheet
 
     Returns
     -------
     (height, width) bool, and whether they are drawn solid
     """
-    length, thickness = FACE_LENGTH * long_side, WALL_THICKNESS * long_side
+    length, thickness = sizes.face_length, sizes.thickness
     strokes, between = np.zeros_like(faces), np.zeros_like(faces)
     for axis in (0, 1):
         face = long_runs(faces, length, axis)
         strokes |= face
         face = grow_along(face, long_runs(ink, length, axis), axis)
         between |= face | long_runs(gaps_between(face, thickness, 1 - axis), length, axis)
-    solid = tidy(strokes, long_side)
-    hollow = tidy(between | covered_cells(between, cells), long_side)
+    solid = tidy(strokes, sizes)
+    hollow = tidy(fill_corners(between | covered_cells(between, cells), thickness), sizes)
     is_solid = bool(solid.any() and solid.sum() >= SOLID_SHARE * hollow.sum())
     return (solid if is_solid else hollow), is_solid
 
 
-def hatch_bands(faces: NDArray[np.bool_], ink: NDArray[np.bool_], cells: NDArray[np.int32], long_side: int) -> NDArray[np.bool_]:
+def hatch_bands(faces: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
     """Bands between long strokes of any weight that are filled with hatching: 12 to 50 % ink."""
-    length, thickness = FACE_LENGTH * long_side, WALL_THICKNESS * long_side
+    length, thickness = sizes.face_length, sizes.thickness
     bands = np.zeros_like(faces)
     for axis in (0, 1):
         face = long_runs(ink, length, axis)
@@ -91,7 +83,7 @@ def hatch_bands(faces: NDArray[np.bool_], ink: NDArray[np.bool_], cells: NDArray
         share = inked / area
         bands |= gap & (share >= HATCHED[0]) & (share <= HATCHED[1])
     solid = bands | faces
-    return tidy(solid, long_side) & (bands | grow_near(bands, ink))
+    return tidy(solid, sizes) & (bands | grow_near(bands, ink))
 
 
 def grow_near(seeds: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -108,27 +100,40 @@ def covered_cells(walls: NDArray[np.bool_], cells: NDArray[np.int32]) -> NDArray
     return take[cells]
 
 
+def fill_corners(walls: NDArray[np.bool_], thickness: float) -> NDArray[np.bool_]:
+    """Walls with their small holes filled: where two hollow walls meet, neither gap reaches into the corner.
+
+    >>> walls = np.ones((9, 9), dtype=bool); walls[3:6, 3:6] = False
+    >>> fill_corners(walls, 4).all()
+    np.True_
+    """
+    n_holes, labels, stats, _ = cv2.connectedComponentsWithStats((~walls).astype(np.uint8), connectivity=4)
+    small = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) <= 1.25 * thickness
+    small[0] = False
+    return walls | small[labels]
+
+
 def long_runs(mask: NDArray[np.bool_], length: float, axis: int) -> NDArray[np.bool_]:
     """Pixels in runs of at least `length` along an axis."""
     return run_lengths(mask, axis) >= max(length, 1)
 
 
-def without_lone_bars(walls: NDArray[np.bool_], long_side: int) -> NDArray[np.bool_]:
+def without_lone_bars(walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
     """Walls without straight bars that stand alone, such as scale bars and frames' edges: they enclose nothing."""
-    reach = max(3, round(LONE_DISTANCE * long_side)) | 1
+    reach = max(3, round(LONE_DISTANCE * sizes.long_side)) | 1
     near = cv2.dilate(walls.astype(np.uint8), np.ones((reach, reach), np.uint8))
     n_groups, labels, stats, _ = cv2.connectedComponentsWithStats(near, connectivity=8)
     area = np.bincount(labels[walls], minlength=n_groups)
-    narrow = np.minimum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) - reach + 1 <= WALL_THICKNESS * long_side
+    narrow = np.minimum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) - reach + 1 <= sizes.thickness
     drop = narrow & (area <= LONE_SHARE * area.sum())
     return walls & ~drop[labels]
 
 
-def tidy(walls: NDArray[np.bool_], long_side: int) -> NDArray[np.bool_]:
-    """Close cracks of a few pixels, open away hairs, drop pieces shorter than `PIECE_LENGTH`."""
+def tidy(walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
+    """Close cracks of a few pixels, open away hairs, drop pieces shorter than the shortest."""
     closed = cv2.morphologyEx(walls.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((5, 5), np.uint8))
     clean = cv2.morphologyEx(closed, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)).astype(bool)
-    return large_components(clean, PIECE_LENGTH * long_side)
+    return large_components(clean, sizes.piece_length)
 
 
 def _window(length: float, axis: int) -> tuple[int, int]:

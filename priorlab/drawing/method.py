@@ -29,12 +29,13 @@ class Method:
     min_largest_angle, max_largest_angle : bounds of the largest angle, degrees (3.3.1)
     min_angle : smallest angle allowed, degrees; 0 lets needles pass, as the text does
     max_tilt : the open side lies within so many degrees of an axis (eq. 3.15); 45 allows all
-    min_leaf, min_arc, min_support : shares of ink along the leaf, along its swing, and beyond each jamb; 0 asks for none
+    min_leaf, min_arc, min_support : shares of ink along the leaf, along its arc (or chord), and beyond each jamb; 0 asks for none
     max_open_ink : share of ink allowed on the open side; 1 asks for nothing
     max_dark : share of ink allowed inside the triangle (3.3.1: 40 %)
     max_overlap : share of the smaller triangle that two doors may have in common (3.3.1: 30 %)
     keep_best : of overlapping doors keep the best, not the first
     size_mode_factor : open sides stay within this factor of the commonest; None keeps all
+    one_kind : where three doors have an arc, candidates without one are dropped: furniture is full of straight triangles
     drop_on_outer_walls : doors with a vertex on an outer wall are dropped (3.3.1, third check)
     outer_tolerance : corners within so many pixels of the extreme one vote for it (eq. 3.11)
     n_sweeps : sweeps of the wall search after the jambs (3.3.1: h, v, h, v)
@@ -70,6 +71,7 @@ class Method:
     max_overlap: float = 0.30
     keep_best: bool = False
     size_mode_factor: float | None = None
+    one_kind: bool = False
     drop_on_outer_walls: bool = True
     outer_tolerance: float = 2.0
     n_sweeps: int = 4
@@ -90,7 +92,7 @@ THESIS = Method()
 ROBUST = Method(
     name="ROBUST",
     sources="both",
-    n_corners=1200,
+    n_corners=1600,
     corner_quality=0.003,
     corner_spacing_share=0.003,
     component_share=0.04,
@@ -106,11 +108,12 @@ ROBUST = Method(
     min_angle=25.0,
     max_tilt=12.0,
     min_leaf=0.8,
-    min_arc=0.6,
+    min_arc=0.75,
     min_support=0.5,
     max_open_ink=0.35,
     keep_best=True,
     size_mode_factor=1.5,
+    one_kind=True,
     drop_on_outer_walls=False,
     strip_share=0.5,
     bridge_widths=3.0,

@@ -14,6 +14,12 @@ from priorlab.drawing.method import Method
 LEAST_CONTRAST = 12
 """Nothing fainter than this, of 255, is ink."""
 
+FRAME_SIZE = 0.93
+"""A frame spans so much of the sheet's width and height."""
+
+FRAME_RIM = 0.75
+"""So much of a frame's ink lies at its rim; the rest is a title block."""
+
 ROOM_SHARE = 0.03
 """An area this wide, as a share of the long side, is no line."""
 
@@ -78,10 +84,14 @@ def prepare(drawing: Drawing, method: Method) -> Sheet:
     darkness = paper_distance(image, paper)
     wall_darkness = _wall_threshold(darkness, image) if method.wall_darkness is None else method.wall_darkness
     line_darkness = min(method.line_darkness, wall_darkness)
+    lines, walls = darkness > line_darkness, darkness > wall_darkness
+    if method.component_share > 0:
+        frame = sheet_frame(lines)
+        lines, walls = lines & ~frame, walls & ~frame
     return Sheet(
         darkness=darkness,
-        lines=darkness > line_darkness,
-        walls=darkness > wall_darkness,
+        lines=lines,
+        walls=walls,
         hue=_hue(image),
         scale=scale,
         inverted=inverted,
@@ -132,6 +142,20 @@ def large_components(ink: NDArray[np.bool_], min_length: float) -> NDArray[np.bo
     keep = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) >= min_length
     keep[0] = False
     return keep[labels]
+
+
+def sheet_frame(ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Ink of the frame round a sheet: components as large as the sheet, nearly all of them at its rim, with a drawing inside."""
+    n_components, labels, stats, _ = cv2.connectedComponentsWithStats(ink.astype(np.uint8), connectivity=8)
+    height, width = ink.shape
+    frame = np.zeros(n_components, dtype=bool)
+    big = (stats[:, cv2.CC_STAT_WIDTH] >= FRAME_SIZE * width) & (stats[:, cv2.CC_STAT_HEIGHT] >= FRAME_SIZE * height)
+    for label in np.flatnonzero(big[1:]) + 1:
+        rows, cols = np.nonzero(labels == label)
+        margin = 0.03 * max(ink.shape)
+        from_rim = np.minimum.reduce([rows - rows.min(), rows.max() - rows, cols - cols.min(), cols.max() - cols])
+        frame[label] = (from_rim <= margin).mean() >= FRAME_RIM and 2 * rows.size <= ink.sum()
+    return frame[labels]
 
 
 def _wall_threshold(darkness: NDArray[np.uint8], image: NDArray[np.uint8]) -> int:

@@ -6,7 +6,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.drawing.runs import grow_along, run_lengths
+from priorlab.drawing.runs import grow_along, label_runs, run_lengths
+
+FAINTEST = 25
+"""Darkness below this does not belong to a line."""
 
 
 def stroke_widths(ink: NDArray[np.bool_], largest: int = 24) -> NDArray[np.uint8]:
@@ -23,6 +26,27 @@ def stroke_widths(ink: NDArray[np.bool_], largest: int = 24) -> NDArray[np.uint8
             break
         widths[covered] = side
     return widths
+
+
+def line_weights(darkness: NDArray[np.uint8], ink: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Weight of the line through each pixel in parts of a pixel: the darkness summed across it, over full darkness.
+
+    Anti-aliasing spreads a line over more pixels and keeps this sum; the smaller of the sums along the two axes counts.
+
+    >>> darkness = np.zeros((3, 5), dtype=np.uint8); darkness[0] = 255; darkness[1] = 51
+    >>> line_weights(darkness, darkness > 100)[0].round(2).tolist()
+    [1.2, 1.2, 1.2, 1.2, 1.2]
+    """
+    if not ink.any():
+        return np.zeros(ink.shape)
+    full = float(np.percentile(darkness[ink], 98))
+    touched = darkness > FAINTEST
+    sums = []
+    for axis in (0, 1):
+        labels = label_runs(touched, axis)
+        total = np.bincount(labels.ravel(), weights=darkness.ravel())
+        sums.append(total[labels])
+    return np.where(touched, np.minimum(*sums), 0.0) / full
 
 
 def opened(ink: NDArray[np.bool_], side: int) -> NDArray[np.bool_]:

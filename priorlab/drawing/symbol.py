@@ -10,6 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+ARC_LEAD = 0.4
+"""An arc holds so much more ink than its chord."""
+
 N_SAMPLES = 32
 """Points looked up along a side or an arc."""
 
@@ -52,13 +55,18 @@ class Symbols:
 
     @property
     def swing(self) -> NDArray[np.float64]:
-        """The better of arc and chord."""
-        return np.maximum(self.arc, self.chord)
+        """Share of ink from tip to strike: along the arc where there is one, else along the chord."""
+        return np.where(self.has_arc, self.arc, self.chord)
+
+    @property
+    def has_arc(self) -> NDArray[np.bool_]:
+        """Where the ink follows the arc and leaves the chord; on a flat triangle the two lie too close to tell."""
+        return np.asarray(self.arc >= self.chord + ARC_LEAD)
 
     @property
     def quality(self) -> NDArray[np.float64]:
         """Product of what a door should have; 1 at best. An arc counts for more than a straight chord."""
-        swing = np.maximum(self.arc, 0.8 * self.chord)
+        swing = np.where(self.has_arc, self.arc, 0.8 * self.chord)
         return self.leaf * swing * self.equal * (1 - self.open_ink) * (0.5 + 0.5 * self.support)
 
     def __getitem__(self, keep: NDArray[np.bool_] | NDArray[np.int64]) -> Symbols:
@@ -96,7 +104,7 @@ def supported(symbols: Symbols, least: float, pair_reach: float = 0.15) -> NDArr
     """
     hung = symbols.hinge_support >= least
     alone = hung & (symbols.strike_support >= least)
-    half = np.flatnonzero(hung & ~alone & (symbols.arc >= symbols.chord))
+    half = np.flatnonzero(hung & ~alone & symbols.has_arc)
     paired = np.zeros_like(alone)
     if half.size:
         strike, hinge, width = symbols.strike[half], symbols.hinge[half], symbols.width[half]

@@ -18,11 +18,15 @@ from priorlab.drawing.outer_walls import outer_walls
 from priorlab.drawing.preprocessing import Sheet, large_components, prepare
 from priorlab.drawing.strokes import bridge_windows, strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
+from priorlab.drawing.wall_sizes import wall_sizes
 from priorlab.drawing.weight import Hypothesis, judged, weight_hypotheses, with_hatching
 
 DOORS_ALONE = 0.3
 """Weight of the walls grown from doors alone beside those of line weight: they know no insides and follow any line."""
 
+
+FEWEST_FOR_A_SCALE = 3
+"""Doors that are needed to tell how thick a wall can be."""
 
 SOLID_COVERS = 0.65
 """Solid walls are preferred when they make up so much of the best hypothesis."""
@@ -78,16 +82,18 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         hypotheses: tuple[Hypothesis, ...] = (Hypothesis("doors", guided, float(guided.any())),)
         chosen, walls = "doors", guided
     else:
-        hypotheses = (judged("doors", guided, sheet.long_side), *weight_hypotheses(sheet, method.component_share))
+        width = float(np.median([door.width for door in scaled])) if len(scaled) >= FEWEST_FOR_A_SCALE else None
+        sizes = wall_sizes(sheet.long_side, width)
+        hypotheses = (judged("doors", guided, sizes), *weight_hypotheses(sheet, ink & ~symbols, sizes))
         best = choose(hypotheses, scaled, symbols)
         if best.name != "doors":
-            best = with_hatching(best, sheet, method.component_share)
+            best = with_hatching(best, ink & ~symbols, sizes)
         chosen, walls = best.name, best.walls & ~(symbols & ~guided)
     if method.bridge_widths and scaled and walls.any():
         longest = method.bridge_widths * float(np.median([door.width for door in scaled]))
         walls = walls | (bridge_windows(walls, sheet.lines, longest) & ~symbols)
     if method.sources == "both":
-        walls = without_lone_bars(walls, sheet.long_side)
+        walls = without_lone_bars(walls, wall_sizes(sheet.long_side))
     return WallSearch(
         outer=sheet.to_input(outer),
         sweeps=tuple(sheet.to_input(stage) for stage in sweeps),

@@ -12,12 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.drawing.faces import hatch_bands, long_runs, thin_cells, walls_between
-from priorlab.drawing.preprocessing import NO_HUE, Sheet, large_components
+from priorlab.drawing.preprocessing import NO_HUE, Sheet
 from priorlab.drawing.runs import run_lengths
-from priorlab.drawing.strokes import stroke_widths
+from priorlab.drawing.strokes import line_weights, stroke_widths
+from priorlab.drawing.wall_sizes import WallSizes
 
 HEAVIEST = 6
 """Largest q of a hypothesis."""
+
+SUBPIXEL_WEIGHTS = (1.5, 2.0, 2.5)
+"""Weights of lines too thin for whole pixels to tell apart."""
 
 HATCH_SHARE = 0.15
 """Hatch bands are used when they make up so much of the result."""
@@ -47,68 +51,72 @@ class Hypothesis:
     solid: bool = False
 
 
-def weight_hypotheses(sheet: Sheet, component_share: float = 0.04) -> tuple[Hypothesis, ...]:
-    """Walls under every assumption about weight and hue that the drawing offers, in working pixels."""
-    long_side = sheet.long_side
-    ink = large_components(sheet.walls, component_share * long_side)
+def weight_hypotheses(sheet: Sheet, ink: NDArray[np.bool_], sizes: WallSizes) -> tuple[Hypothesis, ...]:
+    """Walls under every assumption about weight and hue that the drawing offers.
+
+    Parameters
+    ----------
+    sheet : the drawing made ready
+    ink : (height, width) bool, its ink without text
+    sizes : of walls on this sheet
+    """
     if not ink.any():
         return ()
-    widths = stroke_widths(ink, HEAVIEST)
-    cells = thin_cells(ink, long_side)
+    cells = thin_cells(ink, sizes)
     hues = _hues(sheet, ink)
+    trust = IN_COLOUR if hues else 1.0
     found = []
-    for q in range(2, HEAVIEST + 1):
-        heavy = widths >= q
-        if not heavy.any():
-            break
-        walls, solid = walls_between(heavy, ink, cells, long_side)
-        found.append(judged(f"strokes of at least {q} px", walls, long_side, solid, 1.0 if not hues else IN_COLOUR))
+    widths, weights = stroke_widths(ink, HEAVIEST), line_weights(sheet.darkness, ink)
+    faces = {f"strokes of at least {q} px": widths >= q for q in range(2, HEAVIEST + 1)}
+    faces |= {f"lines of at least {w} px": ink & (weights >= w) for w in SUBPIXEL_WEIGHTS}
+    for name, heavy in faces.items():
+        if heavy.any():
+            walls, solid = walls_between(heavy, ink, cells, sizes)
+            found.append(judged(name, walls, sizes, solid, trust))
     for hue in hues:
         coloured = ink & _of_hue(sheet.hue, hue)
-        walls, solid = walls_between(coloured, coloured, cells, long_side)
-        found.append(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, long_side, solid))
+        walls, solid = walls_between(coloured, coloured, cells, sizes)
+        found.append(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, sizes, solid))
     return tuple(found)
 
 
-def with_hatching(best: Hypothesis, sheet: Sheet, component_share: float = 0.04) -> Hypothesis:
+def with_hatching(best: Hypothesis, ink: NDArray[np.bool_], sizes: WallSizes) -> Hypothesis:
     """The hypothesis and the hatched bands beside it, when there are enough of them."""
     if best.solid:
         return best
-    ink = large_components(sheet.walls, component_share * sheet.long_side)
-    cells = thin_cells(ink, sheet.long_side)
-    bands = hatch_bands(best.walls, ink, cells, sheet.long_side)
+    bands = hatch_bands(best.walls, ink, sizes)
     both = best.walls | bands
     if (bands & ~best.walls).sum() < HATCH_SHARE * max(int(both.sum()), 1):
         return best
-    hatched = judged(f"{best.name}, hatched", both, sheet.long_side)
+    hatched = judged(f"{best.name}, hatched", both, sizes)
     return hatched if hatched.quality >= best.quality else best
 
 
-def centre_line(walls: NDArray[np.bool_], long_side: int) -> tuple[float, float]:
+def centre_line(walls: NDArray[np.bool_], sizes: WallSizes) -> tuple[float, float]:
     """Length of the horizontal and of the vertical centre lines, pixels: thin cross-sections of long pieces, counted."""
     lengths = []
     for axis in (1, 0):
-        long = long_runs(walls, 0.05 * long_side, axis)
+        long = long_runs(walls, 0.05 * sizes.long_side, axis)
         across = run_lengths(long, 1 - axis)
-        thin = long & (across <= 0.03 * long_side)
+        thin = long & (across <= 1.5 * sizes.thickness)
         lengths.append(float((1.0 / across[thin]).sum()))
     return lengths[0], lengths[1]
 
 
-def purity(walls: NDArray[np.bool_], long_side: int) -> float:
+def purity(walls: NDArray[np.bool_], sizes: WallSizes) -> float:
     """Share of the walls that lies in long thin runs; 0 of nothing."""
     if not walls.any():
         return 0.0
     across, down = run_lengths(walls, 1), run_lengths(walls, 0)
-    thin, long = 0.03 * long_side, 0.05 * long_side
+    thin, long = 1.5 * sizes.thickness, 0.05 * sizes.long_side
     pure = ((across >= long) & (down <= thin)) | ((down >= long) & (across <= thin))
     return float(pure[walls].mean())
 
 
-def judged(name: str, walls: NDArray[np.bool_], long_side: int, solid: bool = False, trust: float = 1.0) -> Hypothesis:
+def judged(name: str, walls: NDArray[np.bool_], sizes: WallSizes, solid: bool = False, trust: float = 1.0) -> Hypothesis:
     """A hypothesis with Q = sqrt(horizontal x vertical centre line) / M x purity^2."""
-    across, down = centre_line(walls, long_side)
-    quality = trust * np.sqrt(across * down) / long_side * purity(walls, long_side) ** 2
+    across, down = centre_line(walls, sizes)
+    quality = trust * np.sqrt(across * down) / sizes.long_side * purity(walls, sizes) ** 2
     return Hypothesis(name, walls, float(quality), solid)
 
 
