@@ -24,8 +24,12 @@ GAP_IN_DOORS = 1.15
 """Gaps up to this many door widths are closed against the outdoors: door frames and thin ink make a gap wider."""
 
 
+INDOORS_AT_LEAST = 0.25
+"""A plan leaks when less than this share of the space within its outline is indoors; single rooms may be open."""
+
+
 class LeakError(ValueError):
-    """The free space between the walls is connected to the outdoors, so no indoors is left to plan in."""
+    """The free space between the walls is connected to the outdoors, so that hardly any indoors is left to plan in."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +43,7 @@ class FreeSpace:
     rooms : (height, width) int32, drivable space cut at the doors, rooms counted from 1; 0 = none
     door_width : pixels
     clearance : pixels
+    share_indoors : drivable space as a share of the space within the building's outline; low when rooms leak
     """
 
     drivable: NDArray[np.bool_]
@@ -46,6 +51,7 @@ class FreeSpace:
     rooms: NDArray[np.int32]
     door_width: float
     clearance: float
+    share_indoors: float
 
 
 def find_free_space(
@@ -63,7 +69,8 @@ def find_free_space(
     Raises
     ------
     LeakError
-        When no indoors is left; the sentence says where it leaks.
+        When less than a quarter of the space within the walls' outline is indoors; the sentence says where it leaks.
+        A single room that leaks counts as outdoors, and the rest is used.
     ValueError
         When there is no wall, or neither door width, doors nor scale tell how wide a door is.
     """
@@ -73,12 +80,14 @@ def find_free_space(
     clearance = 0.2 * width if clearance is None else check_positive("clearance", clearance)
     sills = _draw_sills(walls.shape, doors)
     distance = _distance_to(walls.mask)
-    indoors = ~_outdoors(walls.mask | sills, GAP_IN_DOORS * width)
-    drivable = _parts_of(indoors & (distance > clearance), min_area=width**2) > 0
-    if not drivable.any():
-        raise LeakError(_where_it_leaks(walls.mask | sills, width))
+    outdoors = _outdoors(walls.mask | sills, GAP_IN_DOORS * width)
+    drivable = _parts_of(~outdoors & (distance > clearance), min_area=width**2) > 0
+    within = _outline(walls.mask, width) & (distance > clearance)
+    share = float(drivable.sum() / max(1, within.sum()))
+    if share < INDOORS_AT_LEAST:
+        raise LeakError(_where_it_leaks(walls.mask | sills, outdoors, width))
     rooms = _rooms(drivable, sills, distance, width)
-    return FreeSpace(drivable, distance, rooms, width, clearance)
+    return FreeSpace(drivable, distance, rooms, width, clearance, share)
 
 
 def _door_width(walls: Walls, doors: Sequence[Door], door_width: float | None) -> float:
@@ -143,10 +152,22 @@ def _parts_of(mask: NDArray[np.bool_], min_area: float) -> NDArray[np.int32]:
     return np.where(keep, np.cumsum(keep), 0).astype(np.int32)[parts]
 
 
-def _where_it_leaks(solid: NDArray[np.bool_], door_width: float) -> str:
-    """The sentence for walls that do not close: the widest way from the middle of the building to the outdoors."""
+def _outline(solid: NDArray[np.bool_], gap: float) -> NDArray[np.bool_]:
+    """What lies within a rubber band round the building: the largest group of walls with gaps of at most twice `gap`."""
+    _, groups = cv2.connectedComponents((_distance_to(solid) <= gap).astype(np.uint8))
+    building = solid & (groups == np.bincount(groups[solid]).argmax())
+    rows, cols = np.nonzero(building)
+    band = cv2.convexHull(np.column_stack([cols, rows]).astype(np.int32))
+    return cv2.fillConvexPoly(np.zeros(solid.shape, dtype=np.uint8), band, 1) > 0
+
+
+def _where_it_leaks(solid: NDArray[np.bool_], outdoors: NDArray[np.bool_], door_width: float) -> str:
+    """The sentence for walls that do not close: the widest way out from the middle of the part that leaks."""
     distance = _distance_to(solid)
-    middle = _middle_of_building(solid, distance)
+    to_outline = _distance_to(np.pad(~_outline(solid, door_width), 1, constant_values=True))[1:-1, 1:-1]
+    depth = np.where(outdoors, np.minimum(distance, to_outline), 0.0)
+    row, col = np.unravel_index(int(depth.argmax()), solid.shape)
+    middle = int(row), int(col)
     low, high = 0.0, float(max(solid.shape))
     while high - low > 0.5:  # the largest disc that still gets out of the middle
         radius = (low + high) / 2
@@ -161,16 +182,6 @@ def _where_it_leaks(solid: NDArray[np.bool_], door_width: float) -> str:
         f"walls must close the building for planning, but it leaks outdoors near x, y = {x:.0f}, {y:.0f} (pixels from the lower "
         f"left corner): got a gap of {2 * low:.0f} px where a door has {door_width:.0f}"
     )
-
-
-def _middle_of_building(solid: NDArray[np.bool_], distance: NDArray[np.float32]) -> tuple[int, int]:
-    """The pixel (row, col) farthest from the walls and from the outline that a rubber band round them has."""
-    rows, cols = np.nonzero(solid)
-    outline = cv2.convexHull(np.column_stack([cols, rows]).astype(np.int32))
-    hull = cv2.fillConvexPoly(np.zeros(solid.shape, dtype=np.uint8), outline, 1) > 0
-    depth = np.minimum(distance, _distance_to(np.pad(~hull, 1, constant_values=True))[1:-1, 1:-1])
-    row, col = np.unravel_index(int(depth.argmax()), solid.shape)
-    return int(row), int(col)
 
 
 def _reach(passable: NDArray[np.bool_], middle: tuple[int, int]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:

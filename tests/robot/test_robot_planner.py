@@ -133,6 +133,7 @@ def test_find_free_space_closes_a_front_door_that_is_not_known():
     walls, _ = make_house()
     space = find_free_space(walls, door_width=DOOR)
     assert space.drivable[139 - 68, 100] and not space.drivable[:, :9].any()
+    assert 0.9 < space.share_indoors <= 1.0
 
 
 def test_a_room_whose_wall_is_missing_is_outdoors():
@@ -150,6 +151,16 @@ def test_a_building_that_leaks_says_where():
     x, y = (float(words[words.index("=") + k]) for k in (1, 2))
     gap = float(words[words.index("gap") + 2])
     assert 70 <= x <= 110 and 100 <= y <= 116 and gap == pytest.approx(40, abs=3)
+
+
+def test_a_building_that_mostly_leaks_says_where_though_a_closet_is_closed():
+    walls, doors = make_house(
+        missing=[(88, 127, 10, 13), (13, 55, 10, 13), (13, 55, 187, 190), (58, 85, 187, 190), (88, 110, 110, 113)]
+    )
+    opened = walls.labels.copy()
+    opened[127:130, 115:160] = 0
+    with pytest.raises(LeakError, match="leaks outdoors near x, y = "):
+        plan_tour(Walls(opened, SCALE), doors)
 
 
 @pytest.mark.parametrize(
