@@ -13,6 +13,9 @@ from priorlab.core.drawing import Door
 from priorlab.drawing.preprocessing import Sheet
 from priorlab.drawing.strokes import opened
 
+LEAF_THICKNESS = 0.12
+"""Thickest leaf, share of a door's width."""
+
 
 def scaled_doors(doors: Sequence[Door], scale: float) -> tuple[Door, ...]:
     """Doors in other pixels.
@@ -44,7 +47,7 @@ def door_ink(sheet: Sheet, doors: Sequence[Door]) -> NDArray[np.bool_]:
         cv2.fillPoly(region, [_sector(door)], 1)
     if not region.any():
         return region.astype(bool)
-    leaf_thickness = max(4, round(0.12 * float(np.median([door.width for door in doors]))))
+    leaf_thickness = max(4, round(LEAF_THICKNESS * float(np.median([door.width for door in doors]))))
     return sheet.lines & region.astype(bool) & ~opened(sheet.lines, leaf_thickness)
 
 
@@ -56,7 +59,7 @@ def _sector(door: Door, margin: float = 3.0) -> NDArray[np.int32]:
     turn = (np.arctan2(last[1], last[0]) - begin + np.pi) % (2 * np.pi) - np.pi
     radius = max(np.hypot(*first), np.hypot(*last)) + margin
     off_wall = min(1.0, margin / max(radius, 1e-9))  # radians: about a margin at the strike
-    over = -np.sign(turn) * off_wall  # begin a little outside the leaf
+    over = -np.sign(turn) * LEAF_THICKNESS  # begin outside the leaf
     angles = np.linspace(begin + over, begin + turn - np.sign(turn) * off_wall, 24)
     arc = hinge + radius * np.column_stack([np.cos(angles), np.sin(angles)])
     away = np.array([np.cos(begin), np.sin(begin)]) * margin  # off the wall at the hinge

@@ -57,8 +57,8 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
     if points.ndim != 2 or points.shape[1] != 2 or not np.isfinite(points).all():
         raise ValueError(f"corners must be finite numbers of shape (N, 2) for x, y, got shape {points.shape}")
     xy = points * sheet.scale
-    longest = method.max_side_share * sheet.long_side * np.sqrt(2)
-    connected = connect(_walkable(sheet, method), xy, method.min_side / 2, longest, method.reach)
+    longest = method.max_side_share * float(np.sqrt(sheet.lines.size))
+    connected = connect(_walkable(sheet, method), xy, method.min_side / 2, longest * np.sqrt(2), method.reach)
     candidates = wedges(connected)
     reasons = np.full(len(candidates), DOOR, dtype=np.int8)
 
@@ -68,7 +68,7 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
     alive = np.flatnonzero(reasons == DOOR)
     triangles = xy[candidates]
     open_side = np.hypot(*(triangles[alive, 1] - triangles[alive, 2]).T)
-    sized = (open_side >= method.min_side) & (open_side <= method.max_side_share * sheet.long_side)
+    sized = (open_side >= method.min_side) & (open_side <= longest)
     _reject(reasons, "geometry", alive, sized & passes_geometry(triangles[alive], method))
 
     alive = np.flatnonzero(reasons == DOOR)

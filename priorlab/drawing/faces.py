@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from priorlab.drawing.preprocessing import large_components
 from priorlab.drawing.runs import gaps_between, grow_along, run_lengths
+from priorlab.drawing.strokes import opened, thinner_run
 from priorlab.drawing.wall_sizes import WallSizes
 
 SOLID_SHARE = 0.75
@@ -24,6 +25,12 @@ LONE_DISTANCE = 0.06
 
 LONE_SHARE = 0.1
 """A lone bar holds no more than this share of all walls."""
+
+BESIDE_GAPS = 0.25
+"""A hole is the corner of hollow walls when so much of its outline lies beside their gaps."""
+
+MOST_HAIR = 5
+"""Lines of this many pixels and more may be walls by themselves."""
 
 HATCHED = (0.12, 0.50)
 """Share of ink between the faces of a hatched wall."""
@@ -59,6 +66,7 @@ def walls_between(
     (height, width) bool, and whether they are drawn solid
     """
     length, thickness = sizes.face_length, sizes.thickness
+    face_width = int(np.median(thinner_run(faces)[faces])) if faces.any() else 0
     strokes, between = np.zeros_like(faces), np.zeros_like(faces)
     for axis in (0, 1):
         face = long_runs(faces, length, axis)
@@ -66,7 +74,9 @@ def walls_between(
         face = grow_along(face, long_runs(ink, length, axis), axis)
         between |= face | long_runs(gaps_between(face, thickness, 1 - axis), length, axis)
     solid = tidy(strokes, sizes)
-    hollow = tidy(fill_corners(between | covered_cells(between, cells), thickness), sizes)
+    whole = between | covered_cells(between, cells)
+    hair = face_width + 1  # a face without a partner is a line, not a wall
+    hollow = tidy(fill_corners(whole, whole & ~ink, thickness), sizes, hair)
     is_solid = bool(solid.any() and solid.sum() >= SOLID_SHARE * hollow.sum())
     return (solid if is_solid else hollow), is_solid
 
@@ -100,17 +110,23 @@ def covered_cells(walls: NDArray[np.bool_], cells: NDArray[np.int32]) -> NDArray
     return take[cells]
 
 
-def fill_corners(walls: NDArray[np.bool_], thickness: float) -> NDArray[np.bool_]:
-    """Walls with their small holes filled: where two hollow walls meet, neither gap reaches into the corner.
+def fill_corners(walls: NDArray[np.bool_], gaps: NDArray[np.bool_], thickness: float) -> NDArray[np.bool_]:
+    """Walls with the small holes filled that lie beside gaps: where two hollow walls meet, neither gap reaches the corner.
 
     >>> walls = np.ones((9, 9), dtype=bool); walls[3:6, 3:6] = False
-    >>> fill_corners(walls, 4).all()
-    np.True_
+    >>> gaps = np.zeros_like(walls); gaps[3:6, 6:] = gaps[6:, 3:6] = True
+    >>> fill_corners(walls, gaps, 4).all(), fill_corners(walls, walls & False, 4).all()
+    (np.True_, np.False_)
     """
     n_holes, labels, stats, _ = cv2.connectedComponentsWithStats((~walls).astype(np.uint8), connectivity=4)
-    small = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) <= 1.25 * thickness
-    small[0] = False
-    return walls | small[labels]
+    beside = np.zeros(n_holes)
+    for shift, axis in ((1, 0), (-1, 0), (1, 1), (-1, 1)):
+        beside += np.bincount(labels[np.roll(gaps, shift, axis)], minlength=n_holes)
+    around = 2 * (stats[:, cv2.CC_STAT_WIDTH] + stats[:, cv2.CC_STAT_HEIGHT])
+    corner = np.maximum(stats[:, cv2.CC_STAT_WIDTH], stats[:, cv2.CC_STAT_HEIGHT]) <= 1.25 * thickness
+    corner &= beside >= BESIDE_GAPS * around
+    corner[0] = False
+    return walls | corner[labels]
 
 
 def long_runs(mask: NDArray[np.bool_], length: float, axis: int) -> NDArray[np.bool_]:
@@ -129,10 +145,10 @@ def without_lone_bars(walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.
     return walls & ~drop[labels]
 
 
-def tidy(walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
-    """Close cracks of a few pixels, open away hairs, drop pieces shorter than the shortest."""
+def tidy(walls: NDArray[np.bool_], sizes: WallSizes, hair: int = 3) -> NDArray[np.bool_]:
+    """Close cracks of a few pixels, open away what is thinner than `hair`, drop pieces shorter than the shortest."""
     closed = cv2.morphologyEx(walls.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((5, 5), np.uint8))
-    clean = cv2.morphologyEx(closed, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)).astype(bool)
+    clean = opened(closed.astype(bool), min(max(hair, 3), MOST_HAIR))
     return large_components(clean, sizes.piece_length)
 
 

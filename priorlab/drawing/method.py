@@ -21,7 +21,7 @@ class Method:
     line_darkness : distance from the paper above which a pixel is ink of a line (0-255)
     wall_darkness : the same for walls; None takes Otsu's threshold
     upscale_below : drawings with a shorter long side are doubled first; 0 never
-    min_side, max_side_share : shortest side of a door in pixels, longest as a share of M
+    min_side, max_side_share : shortest side of a door in pixels, longest as a share of the root of the sheet's area
     thin_share : ink thicker than this share of M is no leaf and no arc, and walks do not cross it; 0 lets them
     reach : snap to ink and arrive within so many pixels (algorithm 3.1)
     rounding : compare sides in whole pixels (eq. 3.4)

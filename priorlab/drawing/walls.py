@@ -19,7 +19,7 @@ from priorlab.drawing.preprocessing import Sheet, large_components, prepare
 from priorlab.drawing.strokes import bridge_windows, strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
 from priorlab.drawing.wall_sizes import wall_sizes
-from priorlab.drawing.weight import Hypothesis, judged, weight_hypotheses, with_hatching
+from priorlab.drawing.weight import IN_COLOUR, Hypothesis, judged, weight_hypotheses, with_hatching
 
 DOORS_ALONE = 0.3
 """Weight of the walls grown from doors alone beside those of line weight: they know no insides and follow any line."""
@@ -125,9 +125,11 @@ def choose(hypotheses: Sequence[Hypothesis], doors: Sequence[Door], symbols: NDA
 
     Where solid strokes make up most of the best one, they are taken: they need no guess about what lies between lines.
     """
+    in_colour = any(h.name.startswith("hue") for h in hypotheses)
+    doors_alone = DOORS_ALONE * (IN_COLOUR if in_colour else 1.0)
 
     def worth(hypothesis: Hypothesis) -> float:
-        trust = DOORS_ALONE if hypothesis.name == "doors" else 1.0
+        trust = doors_alone if hypothesis.name == "doors" else 1.0
         return trust * hypothesis.quality * door_agreement(hypothesis.walls, doors, symbols)
 
     best = max(hypotheses, key=worth)
