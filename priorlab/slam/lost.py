@@ -20,8 +20,8 @@ LEAST_EXPLAINED = 0.15
 def lost_because(trajectory: NDArray[np.float64], explained: NDArray[np.float64], log: RobotLog) -> str | None:
     """A sentence when a run got lost, None when it did not.
 
-    Three signs, the last two without knowing the truth: the estimate is far from the true pose; it leaps where the wheels say
-    that the robot hardly moved; the walls of the plan explain few of the beams for a while.
+    The truth decides when the log holds it: the estimate is far from it or not. Without it there are two signs: the estimate
+    leaps where the wheels say that the robot hardly moved; the walls of the plan explain few of the beams for a while.
 
     Parameters
     ----------
@@ -31,9 +31,10 @@ def lost_because(trajectory: NDArray[np.float64], explained: NDArray[np.float64]
     """
     if log.truth is not None:
         errors = position_errors_m(trajectory, log.truth)
-        if errors.max() > LOST_M:
-            step = int(np.argmax(errors > LOST_M))
-            return f"the estimate is more than {LOST_M:g} m off the true position from step {step}, at worst {errors.max():.1f} m"
+        if errors.max() <= LOST_M:
+            return None
+        step = int(np.argmax(errors > LOST_M))
+        return f"the estimate is more than {LOST_M:g} m off the true position from step {step}, at worst {errors.max():.1f} m"
     if len(trajectory) > 1:
         told, moved = (relative(poses[:-1], poses[1:]) for poses in (log.odometry, trajectory))
         leaps = np.hypot(*(moved - told)[:, :2].T)

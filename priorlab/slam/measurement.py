@@ -9,6 +9,12 @@ from numpy.typing import NDArray
 from priorlab.slam.likelihood_field import LikelihoodField, log_likelihood_of
 from priorlab.slam.scan import Scan
 
+EXPLAINED_M = 0.4
+"""A beam that ends this near to an obstacle is explained by it."""
+
+FEWEST_TO_JUDGE = 10
+"""With fewer beams the share that is explained means nothing."""
+
 _ENDS_AT_ONCE = 80_000  # small enough for one thread: on a busy machine, waiting for a second one took up to 30 ms
 _PARTICLES_AT_ONCE = 32_000  # cv2.remap counts in 16 bits
 
@@ -61,8 +67,8 @@ def log_weights(poses: NDArray[np.float64], scan: Scan, field: LikelihoodField) 
 
 
 def share_explained(pose: NDArray[np.float64], scan: Scan, field: LikelihoodField) -> float:
-    """Share of a scan's beams that end within two sigma_hit of an obstacle, seen from one pose; nan without a beam."""
-    if len(scan) == 0:
+    """Share of a scan's beams that end within 0.4 m of an obstacle, seen from one pose; nan for fewer than ten beams."""
+    if len(scan) < FEWEST_TO_JUDGE:
         return float("nan")
-    close = log_likelihood_of(np.array(2 * field.parameters.sigma_hit_m), field.parameters)
+    close = log_likelihood_of(np.array(EXPLAINED_M), field.parameters)
     return float((beam_log_likelihoods(pose[None], scan, field) >= close).mean())

@@ -43,7 +43,7 @@ class Run:
     n_particles : (T,) particles that were weighed
     ess : (T,) their effective number, before resampling
     sample : (T, S, 3) float32, up to 300 of the particles that went on
-    explained : (T,) share of the beams that end at a wall of the PLAN, seen from the estimate; nan without a beam
+    explained : (T,) share of the beams that end at a wall of the PLAN, seen from the estimate; nan for few beams
     """
 
     prior_map: GridMap

@@ -44,11 +44,19 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in)
         particles = weigh(particles, scan, field)
         pose = estimate_pose(particles, parameters)
         assert np.array_equal(pose, run.trajectory[k])
-        assert run.explained[k] == share_explained(pose, scan, plan) or not len(scan)
+        assert np.array_equal(run.explained[k], share_explained(pose, scan, plan), equal_nan=True)
         assert (len(particles), particles.effective_number) == (run.n_particles[k], run.ess[k])
         particles = choose(particles, rng, parameters) if len(scan) else particles
         update_seen(log_odds_map, slam_prior.log_odds, see_cells(slam_prior.grid, pose, scan, parameters), parameters)
     assert np.array_equal(log_odds_map, run.map.log_odds)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_updated_map_also_shows_the_way(slam_prior, seed, drive_floor):
+    log, broad = drive_floor(seed), replace(TUNED, alphas=(0.01,) * 4, sigma_hit_m=0.2, z_random=0.5, localize_in="updated")
+    run = FastSLAM(broad).run(slam_prior, log, np.random.default_rng(100 + seed))
+    assert run.ate_m() <= 0.3 and not run.lost
+    assert run.ate_m() < 0.6 * absolute_trajectory_error_m(dead_reckoning(log), log.truth)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])

@@ -17,7 +17,7 @@ from priorlab.slam.measurement import beam_log_likelihoods, log_weights, share_e
 from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.scan import Scan, choose_beams
 
-NEAR = replace(TUNED, max_distance_m=0.5)
+NEAR = replace(TUNED, max_distance_m=0.5, sigma_hit_m=0.2, z_random=0.5)
 
 
 def scan_of(ranges, bearings, offset=(0.0, 0.0)):

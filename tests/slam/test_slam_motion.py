@@ -87,8 +87,9 @@ def test_sample_motion_spreads_by_the_variances_named():
 def test_motion_noise_of_a_turn_on_the_spot_is_not_that_of_half_a_turn():
     backwards = motion_parts([0, 0, 0], [-0.002, 0, 0.1])  # the wheels slip back 2 mm while turning
     assert abs(backwards[0]) == pytest.approx(math.pi)
-    symmetric = motion_deviations(*backwards, TUNED)
-    literal = motion_deviations(*backwards, replace(TUNED, rotation_noise="literal"))
+    tenth = replace(TUNED, alphas=(0.01,) * 4)
+    symmetric = motion_deviations(*backwards, tenth)
+    literal = motion_deviations(*backwards, replace(tenth, rotation_noise="literal"))
     assert symmetric[0] < 0.001 and symmetric[2] < 0.011
     assert literal[0] > 0.3  # sqrt(0.01 pi^2): 18 degrees for nothing
 
