@@ -84,12 +84,13 @@ def draw_piece(paper: Paper, piece: Placed, weight: float, ink: str = "#000000")
 
 def draw_walls(paper: Paper, layout: Layout, walls: WallMasks) -> None:
     """Bands, hatching and ink of the walls."""
+    sheet = layout.description.sheet
     for name, style in layout.description.styles.items():
         band = walls.bodies[name] & ~walls.ink[name]
         if band.any():
-            paper.stain(band, style.fill or layout.description.sheet.paper)
+            paper.stain(band, style.fill or sheet.paper)
             if style.look == "hatched":
-                paper.stain(band & hatching(layout.frame, style, layout.description.sheet.line), style.ink)
+                paper.stain(hatching(band, style, sheet.line, layout.frame.metres_per_pixel), style.ink)
         paper.stain(walls.ink[name], style.ink)
 
 

@@ -9,7 +9,6 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.buildings.frame import Frame
 from priorlab.buildings.geometry import Points
 from priorlab.buildings.layout import Layout
 from priorlab.buildings.paper import FINER, fine_mask
@@ -34,33 +33,36 @@ class WallMasks:
     @property
     def body(self) -> NDArray[np.bool_]:
         """All solid walls together."""
-        return _union(self.bodies)
+        return union(self.bodies)
 
     @property
     def all_ink(self) -> NDArray[np.bool_]:
         """All ink of walls together."""
-        return _union(self.ink)
+        return union(self.ink)
+
+
+def wall_bodies(layout: Layout, openings: list[Points]) -> dict[str, NDArray[np.bool_]]:
+    """Per style, the solid walls of a layout with these gaps cut out; where two meet, the style that is named first wins."""
+    taken = fine_mask(layout.frame, [_widened(gap) for gap in openings])
+    bodies: dict[str, NDArray[np.bool_]] = {}
+    for name in layout.description.styles:
+        bodies[name] = fine_mask(layout.frame, [piece.outline for piece in layout.pieces if piece.style == name]) & ~taken
+        taken |= bodies[name]
+    return bodies
 
 
 def wall_masks(layout: Layout, openings: list[Points]) -> WallMasks:
-    """The walls of a layout with these gaps cut out; where two styles meet, the one named first in the description wins.
+    """The walls of a layout with these gaps cut out, as a drawing shows them.
 
     Walls of one look and ink flow into each other; between others the outline goes on.
     """
-    styles = layout.description.styles
-    gaps = fine_mask(layout.frame, [_widened(gap) for gap in openings])
-    taken = gaps.copy()
-    bodies: dict[str, NDArray[np.bool_]] = {}
-    for name in styles:
-        body = fine_mask(layout.frame, [piece.outline for piece in layout.pieces if piece.style == name]) & ~taken
-        taken |= body
-        bodies[name] = body
+    styles, bodies = layout.description.styles, wall_bodies(layout, openings)
     ink: dict[str, NDArray[np.bool_]] = {}
-    band = np.zeros_like(gaps)
+    band = np.zeros_like(next(iter(bodies.values())))
     for name, style in styles.items():
         if style.look in ("hollow", "hatched"):
             alike = {key: bodies[key] for key, other in styles.items() if (other.look, other.ink) == (style.look, style.ink)}
-            inside = _eroded(_union(alike), style.line) & bodies[name]
+            inside = _eroded(union(alike), style.line) & bodies[name]
             ink[name] = bodies[name] & ~inside
             band |= inside
         else:
@@ -68,16 +70,18 @@ def wall_masks(layout: Layout, openings: list[Points]) -> WallMasks:
     return WallMasks(bodies, ink, band)
 
 
-def hatching(frame: Frame, style: WallStyle, line: float) -> NDArray[np.bool_]:
-    """Parallel lines over the whole sheet, to be cut by a band."""
-    rows, cols = np.ogrid[: frame.shape[0] * FINER, : frame.shape[1] * FINER]
+def hatching(band: NDArray[np.bool_], style: WallStyle, line: float, metres_per_pixel: float) -> NDArray[np.bool_]:
+    """Parallel lines of `line` pixels within a band (fine mask)."""
+    rows, cols = np.nonzero(band)
     angle = math.radians(style.hatch_angle)
     across = rows * round(math.cos(angle), 9) + cols * round(math.sin(angle), 9)  # rounded: the same on every machine
-    step = max(2.0 * line, style.hatch / frame.metres_per_pixel) * FINER
-    return np.asarray(across % step < line * FINER)
+    step = max(2.0 * line, style.hatch / metres_per_pixel) * FINER
+    lines = np.zeros_like(band)
+    lines[rows, cols] = across % step < line * FINER
+    return lines
 
 
-def _union(masks: dict[str, NDArray[np.bool_]]) -> NDArray[np.bool_]:
+def union(masks: dict[str, NDArray[np.bool_]]) -> NDArray[np.bool_]:
     """True where any mask is."""
     union = np.zeros_like(next(iter(masks.values())))
     for mask in masks.values():

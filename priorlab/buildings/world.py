@@ -8,7 +8,7 @@ from priorlab.buildings.geometry import Points
 from priorlab.buildings.layout import Layout, PlacedDoor, footprints
 from priorlab.buildings.paper import coverage, fine_mask
 from priorlab.buildings.symbols_openings import LEAF, bar, folded
-from priorlab.buildings.wall_masks import wall_masks
+from priorlab.buildings.wall_masks import union, wall_bodies
 from priorlab.core.building import World
 
 
@@ -18,7 +18,7 @@ def world_of(layout: Layout) -> World:
     Doorways that the plan walls up are open here.
     """
     gaps = [door.opening.outline for door in layout.doors] + [window.opening.outline for window in layout.windows]
-    solid = wall_masks(layout, gaps).body
+    solid = union(wall_bodies(layout, gaps))
     things = [window.opening.outline for window in layout.windows]
     for piece in (*layout.furniture, *layout.stairs):
         things += footprints(piece)
