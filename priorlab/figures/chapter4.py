@@ -84,7 +84,8 @@ def _clusters(rng: np.random.Generator) -> Outcome:
     groups = cluster([pareto_front(one.experiment, child) for one, child in zip(ours, search, strict=True)], rng=rng_means)
     figure, axes = sheet(1, 2, 4.8, 4.4)
     axes[0].plot(groups.priors[:, 0], groups.priors[:, 1], "k.")
-    axes[0].set(xlim=(0.05, 1.05), ylim=(0.05, 1.05), aspect="equal", xlabel="p_wall", ylabel="p_space", title="all priors")
+    axes[0].set(xlim=(0.05, 1.05), ylim=(0.05, 1.05), aspect="equal", title="all priors")
+    axes[0].set(xlabel="p_wall, before the factor", ylabel="p_space, before the factor")
     plot.clusters(groups, axes[1], title="in clusters")
     proposed = [bool(len(groups.priors)) and bool(np.hypot(*(groups.priors - [0.2, 0.9]).T).min() < 0.1)]
     low_wall = [bool((centre[0] < 0.25) and (centre[1] > 0.5)) for centre in groups.centres]

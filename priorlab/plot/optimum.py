@@ -74,7 +74,7 @@ def front(
         ax.plot(one.recall, one.precision, marker=marker, ls=line, color=colour, lw=1.2, ms=size, mfc=fill, label=label)
     if prior is not None:
         precision, recall = prior
-        ax.plot(recall, precision, "X", color=RED, mec="white", ms=11, label="the prior used")
+        ax.plot(recall, precision, "X", color=RED, mec="white", ms=8, label="the prior used", zorder=1.5)
     ax.axvspan(0, FLOOR, color="0.93", lw=0)
     ax.axhspan(0, FLOOR, color="0.93", lw=0)
     ax.text(0.02, 0.02, f"below the floor of {100 * FLOOR:g} % (eq. 4.19)", transform=ax.transAxes, fontsize=8)
