@@ -17,8 +17,16 @@ def describe(name: str) -> str:
         return f"{name}({', '.join(fields)}): {', '.join(m for m in public if m not in fields)}"
     if callable(thing):
         parameters = inspect.signature(thing).parameters.values()
-        return f"{name}({', '.join(str(p.replace(annotation=p.empty)) for p in parameters)})"
+        return f"{name}({', '.join(parameter(p) for p in parameters)})"
     return f"{name}: {type(thing).__name__}"
+
+
+def parameter(p: inspect.Parameter) -> str:
+    """A parameter with its default; a preset goes by its name."""
+    if not dataclasses.is_dataclass(p.default) or inspect.isclass(p.default):
+        return str(p.replace(annotation=p.empty))
+    presets = [name for name in priorlab.__all__ if name.isupper() and getattr(priorlab, name) == p.default]
+    return f"{p.name}={presets[0] if presets else type(p.default).__name__ + '(...)'}"
 
 
 def public_api() -> str:

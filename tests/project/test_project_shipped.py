@@ -37,7 +37,11 @@ def test_data_is_found_when_installed_from_a_wheel(wheel, tmp_path):
 def test_wheel_holds_types_and_templates(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
     assert {"priorlab/py.typed", "priorlab/__init__.pyi"} <= names
-    shipped = {str(path.relative_to(ROOT)) for path in (ROOT / "priorlab").rglob("*") if path.suffix in (".html", ".js", ".css", ".jinja")}
+    shipped = {
+        str(path.relative_to(ROOT))
+        for path in (ROOT / "priorlab").rglob("*")
+        if path.suffix in (".html", ".js", ".css", ".jinja")
+    }
     assert shipped <= names
 
 
