@@ -55,11 +55,24 @@ def tidy(notebook: Any) -> Any:
     notebook.metadata = type(notebook.metadata)(copy.deepcopy(METADATA))
     for cell in notebook.cells:
         cell.metadata = type(cell.metadata)({"tags": cell.metadata["tags"]} if cell.metadata.get("tags") else {})
+        if "outputs" in cell:
+            cell.outputs = _whole_streams(cell.outputs)
         for output in cell.get("outputs", []):
             output.get("data", {}).pop(WIDGET_VIEW, None)
             if "metadata" in output:
                 output["metadata"] = {}
     return notebook
+
+
+def _whole_streams(outputs: list[Any]) -> list[Any]:
+    """Printed text in one piece, however a busy kernel happened to cut it."""
+    whole: list[Any] = []
+    for output in outputs:
+        if whole and output.output_type == whole[-1].output_type == "stream" and output.name == whole[-1].name:
+            whole[-1].text += output.text
+        else:
+            whole.append(output)
+    return whole
 
 
 def text_of(cell: Any) -> str:

@@ -40,3 +40,14 @@ def test_main_executes_in_place_and_leaves_a_failing_notebook_alone(tmp_path, ca
     assert bad.read_bytes() == before
     said = capsys.readouterr().out
     assert "+2" in said and "ZeroDivisionError" in said
+
+
+def test_tidy_joins_text_that_was_printed_in_pieces():
+    cell = new_code_cell("print(1); print(2)")
+    cell.outputs = [
+        new_output("stream", text="1\n"),
+        new_output("stream", text="2\n"),
+        new_output("stream", name="stderr", text="!"),
+    ]
+    tidy(new_notebook(cells=[cell]))
+    assert [output.text for output in cell.outputs] == ["1\n2\n", "!"]
