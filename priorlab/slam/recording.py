@@ -110,12 +110,20 @@ class Run:
     @cached_property
     def lost_because(self) -> str | None:
         """A sentence when the robot got lost, None when it did not."""
-        return lost_because(self.trajectory, self.explained, self.log)
+        return lost_because(self.trajectory, self._in_wall(), self.explained, self.log)
 
     @property
     def lost(self) -> bool:
         """True when the robot got lost: then neither the map nor a gain over another map means anything."""
         return self.lost_because is not None
+
+    def _in_wall(self) -> NDArray[np.bool_]:
+        """(T,) True where the estimate stands in a wall of the plan, or off the map."""
+        grid = self.prior_map.grid
+        xy = grid.metres_to_xy(self.trajectory[:, :2])
+        outside = ~grid.contains(xy)
+        rows, cols = grid.xy_to_cell(np.where(outside[:, None], 0.0, xy)).T
+        return outside | (self.prior_map.p_empty[rows, cols] < self.parameters.occupied_below)
 
     def __repr__(self) -> str:
         fewest, most = int(self.n_particles.min()), int(self.n_particles.max())

@@ -1,5 +1,7 @@
 """A run's record: maps replayed at any step, another prior fed by the same poses, the npz file."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -107,21 +109,40 @@ def test_run_file_says_what_it_cannot_read(run, tmp_path):
             load_run(tmp_path / name)
 
 
-def test_lost_because_reads_three_signs(run, drive_log):
-    log, truth = drive_log, drive_log.truth
+def test_lost_because_asks_the_truth_first(drive_log):
+    log, truth, free, fine = drive_log, drive_log.truth, np.zeros(270, bool), np.full(270, 0.9)
+    assert lost_because(truth, free, fine, log) is None
+    assert lost_because(truth, ~free, np.zeros(270), log) is None
+    astray = truth + np.where(np.arange(270) < 100, 0.0, 1.5)[:, None] * [1, 0, 0]
+    sentence = "the estimate is more than 1 m off the true position from step 100, at worst 1.5 m"
+    assert lost_because(astray, free, fine, log) == sentence
+
+
+def test_lost_because_reads_three_signs_without_the_truth(drive_log):
+    log, truth, free, fine = drive_log, drive_log.truth, np.zeros(270, bool), np.full(270, 0.9)
     blind = RobotLog(log.odometry, log.ranges, log.bearings, log.scanner, log.start)
-    fine = np.full(len(log), 0.9)
-    assert lost_because(truth, fine, log) is None
-    astray = truth + np.where(np.arange(len(log)) < 100, 0.0, 1.5)[:, None] * [1, 0, 0]
-    assert lost_because(astray, fine, log) == "the estimate is more than 1 m off the true position from step 100, at worst 1.5 m"
-    assert lost_because(astray, fine, blind) == "the estimate leapt 1.5 m against the wheels at step 100"
-    worse = np.where((np.arange(len(log)) >= 50) & (np.arange(len(log)) < 90), 0.1, 0.9)
-    assert lost_because(truth, worse, blind).startswith("the plan's walls explain only 10 % of the beams in steps 50 to 79")
-    dark = np.where(np.arange(len(log)) < 200, np.nan, 0.9)
-    assert lost_because(truth, dark, blind) is None
+    assert lost_because(truth, free, fine, blind) is None
+    astray = truth + np.where(np.arange(270) < 100, 0.0, 1.5)[:, None] * [1, 0, 0]
+    assert lost_because(astray, free, fine, blind) == "the estimate leapt 1.5 m against the wheels at step 100"
+    walled = np.arange(270) < 27
+    assert lost_because(truth, walled, fine, blind) == "the estimate stands in walls of the plan in 10 % of the steps"
+    assert lost_because(truth, np.arange(270) < 4, fine, blind) is None
+    worse = np.where((np.arange(270) >= 50) & (np.arange(270) < 170), 0.1, 0.9)
+    sentence = "the plan's walls explain only 10 % of the beams in steps 50 to 149"
+    assert lost_because(truth, free, worse, blind) == sentence
+    dark = np.where(np.arange(270) < 200, np.nan, 0.9)
+    assert lost_because(truth, free, dark, blind) is None
 
 
 def test_lost_because_of_a_short_log(drive_log):
     log = RobotLog(drive_log.odometry[:1], drive_log.ranges[:1], drive_log.bearings, drive_log.scanner, drive_log.start)
-    assert lost_because(log.odometry, np.array([0.9]), log) is None
-    assert lost_because(log.odometry, np.array([0.0]), log) is not None
+    assert lost_because(log.odometry, np.array([False]), np.array([0.9]), log) is None
+    assert lost_because(log.odometry, np.array([False]), np.array([0.0]), log) is not None
+
+
+def test_run_knows_when_it_drives_through_walls(run):
+    blind = replace(run.log, truth=None)
+    assert replace(run, log=blind).lost_because is None
+    shifted = replace(run, log=blind, trajectory=run.trajectory + [0, 1.6, 0])
+    assert "the estimate stands in walls of the plan" in shifted.lost_because
+    assert replace(run, log=blind, trajectory=run.trajectory + [500, 0, 0]).lost
