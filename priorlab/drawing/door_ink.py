@@ -45,10 +45,19 @@ def door_ink(sheet: Sheet, doors: Sequence[Door]) -> NDArray[np.bool_]:
     region = np.zeros(sheet.lines.shape, dtype=np.uint8)
     for door in doors:
         cv2.fillPoly(region, [_sector(door)], 1)
+        start, end = _leaf(door)
+        cv2.line(region, start, end, 1, max(3, round(2 * LEAF_THICKNESS * door.width)))
     if not region.any():
         return region.astype(bool)
     leaf_thickness = max(4, round(LEAF_THICKNESS * float(np.median([door.width for door in doors]))))
     return sheet.lines & region.astype(bool) & ~opened(sheet.lines, leaf_thickness)
+
+
+def _leaf(door: Door) -> tuple[tuple[int, int], tuple[int, int]]:
+    """Where the leaf begins, its thickness off the hinge, and where it ends."""
+    hinge, _, tip = door.points
+    start = hinge + (2 * LEAF_THICKNESS * door.width) * (tip - hinge) / max(float(np.hypot(*(tip - hinge))), 1e-9)
+    return (round(start[0]), round(start[1])), (round(tip[0]), round(tip[1]))
 
 
 def _sector(door: Door, margin: float = 3.0) -> NDArray[np.int32]:

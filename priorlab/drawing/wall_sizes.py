@@ -7,6 +7,9 @@ from dataclasses import dataclass
 FACE_LENGTH = 0.02
 """Shortest face of a wall, share of the long side M."""
 
+LONGER_THAN_THICK = 1.2
+"""A face is so many times longer than the thickest wall."""
+
 PIECE_LENGTH = 0.03
 """Shortest piece of wall that stays, share of M."""
 
@@ -35,8 +38,8 @@ class WallSizes:
 
     @property
     def face_length(self) -> float:
-        """Shortest face of a wall."""
-        return FACE_LENGTH * self.long_side
+        """Shortest face of a wall; longer than walls are thick, or a wall's end would be the face of another one."""
+        return max(FACE_LENGTH * self.long_side, LONGER_THAN_THICK * self.thickness)
 
     @property
     def piece_length(self) -> float:

@@ -81,8 +81,8 @@ def weight_hypotheses(sheet: Sheet, ink: NDArray[np.bool_], sizes: WallSizes) ->
 
 
 def with_hatching(best: Hypothesis, ink: NDArray[np.bool_], sizes: WallSizes) -> Hypothesis:
-    """The hypothesis and the hatched bands beside it, when there are enough of them."""
-    if best.solid:
+    """The hypothesis and the hatched bands beside it, when there are enough of them; solid or coloured walls need none."""
+    if best.solid or best.name.startswith("hue"):
         return best
     bands = hatch_bands(best.walls, ink, sizes)
     both = best.walls | bands
