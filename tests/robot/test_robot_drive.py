@@ -77,6 +77,12 @@ def test_wheels_and_scanner_do_not_touch_each_other():
     assert not np.allclose(other_wheels.odometry, usual.odometry)
 
 
+def test_drive_draws_from_children_of_the_generator_only():
+    rng, untouched = np.random.default_rng(0), np.random.default_rng(0)
+    drive(WORLD, TOUR, rng=rng)
+    assert rng.random() == untouched.random()
+
+
 def test_drive_is_the_same_for_the_same_seed_only():
     one, two, other = go(4), go(4), go(5)
     np.testing.assert_array_equal(one.ranges, two.ranges)
