@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 GOOD, BAD_INPUT, NO_WALLS, ENDED_EARLY, INTERRUPTED = 0, 2, 3, 4, 130
 
-DEMO_BUILDING = "office_wing"
+DEMO_BUILDING = "office_floor"
 
 
 class _Parser(argparse.ArgumentParser):

@@ -53,7 +53,7 @@ def map(
         ax.plot(x, y, "-", color=RED, lw=1.2, label="estimated way")
         ax.plot(x[0], y[0], "o", color=RED, ms=6, label="start")
     if trajectory is not None or truth is not None:
-        ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.12), ncols=3, fontsize=8, frameon=False)
+        ax.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, fontsize=8, frameon=False)
     return _in_world(ax, grid, metric, title)
 
 

@@ -74,7 +74,7 @@ def front(
         ax.plot(one.recall, one.precision, marker=marker, ls=line, color=colour, lw=1.2, ms=size, mfc=fill, label=label)
     if prior is not None:
         precision, recall = prior
-        ax.plot(recall, precision, "X", color=RED, mec="white", ms=8, label="the prior used", zorder=1.5)
+        ax.plot(recall, precision, "X", color=RED, mec="white", ms=13, label="the prior used", zorder=1.5)
     ax.axvspan(0, FLOOR, color="0.93", lw=0)
     ax.axhspan(0, FLOOR, color="0.93", lw=0)
     ax.text(0.02, 0.02, f"below the floor of {100 * FLOOR:g} % (eq. 4.19)", transform=ax.transAxes, fontsize=8)
@@ -89,7 +89,15 @@ def clusters(groups: Clusters, ax: Axes | None = None, title: str | None = None,
     for i, centre in enumerate(np.asarray(groups.centres)):
         own = groups.priors[groups.labels == i]
         marker, colour = MARKERS[i % len(MARKERS)], COLOURS[i % len(COLOURS)]
-        ax.plot(own[:, 0], own[:, 1], marker, color=colour, ms=5, alpha=0.8, label=f"cluster {i + 1}: {len(own)} priors")
+        ax.plot(
+            own[:, 0],
+            own[:, 1],
+            marker,
+            color=colour,
+            ms=5,
+            alpha=0.8,
+            label=f"cluster {i + 1}: {len(own)} prior{'s' * (len(own) != 1)}",
+        )
         if centres:
             ax.plot(*centre, "x", color=BLACK, ms=9, mew=2)
     ax.set(xlim=(0.05, 1.05), ylim=(0.05, 1.05), aspect="equal")

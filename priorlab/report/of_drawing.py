@@ -68,10 +68,10 @@ def walls_section(result: PipelineResult) -> Section:
                 (6.4, 0.32 * len(extraction.funnel) + 0.9),
             )
         )
+    also = " Line weight proposes walls too; the better proposal is taken." if result.method.sources == "both" else ""
     text = [
-        "Doors give walls away: both jambs of a door stand on a wall. From the jambs, runs of dark pixels are followed "
-        "along both axes. "
-        f"Method: {result.method.name}.",
+        "Doors give walls away: both jambs of a door stand on a wall, and from the jambs runs of dark pixels are followed "
+        f"along both axes.{also} Method: {result.method.name}.",
         *extraction.notes,
     ]
     if score is None and result.has_walls:

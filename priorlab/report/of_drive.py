@@ -47,11 +47,14 @@ def drive_section(result: PipelineResult, drive: Drive) -> Section:
         if result.plan is not None
         else "the building as extracted is the world"
     )
+    how = (
+        "localizes by the walls of the plan, and maps what it sees"
+        if run.parameters.localize_in == "static"
+        else "localizes in the map that it is making, and updates it"
+    )
     text = (
-        f"Now nobody tells the robot where it is. It drives {len(run)} steps ({where}), localizes in the map that it is "
-        f"making, and updates it. "
-        f"Prior: P(empty) {SLAM_PRIOR.effective_p_wall:.2f} and {SLAM_PRIOR.effective_p_space:.2f}; cells of "
-        f"{run.map.grid.cell_size_m:.2f} m. "
+        f"Now nobody tells the robot where it is. It drives {len(run)} steps ({where}), {how}. Prior: P(empty) "
+        f"{SLAM_PRIOR.effective_p_wall:.2f} and {SLAM_PRIOR.effective_p_space:.2f}; cells of {run.map.grid.cell_size_m:.2f} m. "
         f"The absolute trajectory error (ATE) is {ate:.2f} m.",
     )
     warnings = (

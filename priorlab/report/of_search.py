@@ -49,6 +49,8 @@ def search_section(result: PipelineResult, search: Search) -> Section:
         "follow from one sort; nothing is interpolated.",
         f"Highest F2 {best.value:.3f}" + (f", at {best.plateaus[0]}." if best.plateaus else "."),
         "Precision and recall pull apart: a front, not a point."
+        if len(search.exact) > 1
+        else "One prior is best in both at once: here the front is a single point."
         if len(search.exact)
         else f"No front above {100 * FLOOR:g} %: {search.exact.note}",
     ]
