@@ -66,20 +66,20 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
     _reject(reasons, "connectivity", np.arange(len(candidates)), ~ends_joined)  # exactly two sides connected
 
     alive = np.flatnonzero(reasons == DOOR)
-    triangles = xy[candidates]
-    open_side = np.hypot(*(triangles[alive, 1] - triangles[alive, 2]).T)
-    sized = (open_side >= method.min_side) & (open_side <= longest)
-    _reject(reasons, "geometry", alive, sized & passes_geometry(triangles[alive], method))
+    open_side = np.hypot(*(xy[candidates[alive, 1]] - xy[candidates[alive, 2]]).T)
+    shaped = (open_side >= method.min_side) & (open_side <= longest)
+    shaped[shaped] = passes_geometry(xy[candidates[alive[shaped]]], method)
+    _reject(reasons, "geometry", alive, shaped)
 
     alive = np.flatnonzero(reasons == DOOR)
-    across = np.abs(triangles[alive, 1] - triangles[alive, 2])
+    across = np.abs(xy[candidates[alive, 1]] - xy[candidates[alive, 2]])
     tilt = np.degrees(np.arctan2(across.min(axis=1), across.max(axis=1)))
     _reject(reasons, "orientation", alive, (tilt <= method.max_tilt) & (across[:, 0] != across[:, 1]))  # eq. 3.15
 
     alive = np.flatnonzero(reasons == DOOR)
     slack = 2 * max(1, round(SLACK_SHARE * sheet.long_side)) + 1  # corners lie a little beside the ink
     widened = cv2.dilate(sheet.lines.astype(np.uint8), np.ones((slack, slack), np.uint8)).astype(bool)
-    symbols = read_symbols(widened, sheet.walls, triangles[alive])
+    symbols = read_symbols(widened, sheet.walls, xy[candidates[alive]])
     looks = (symbols.leaf >= method.min_leaf) & (symbols.swing >= method.min_arc) & _leaf_fits(symbols, method)
     if method.min_leaf > 0:
         looks &= symbols.has_arc | ~is_box(widened, symbols)
@@ -88,14 +88,14 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
     _reject(reasons, "jamb support", alive, _at_walls(symbols, looks & (symbols.open_ink <= method.max_open_ink), method))
 
     symbols, alive = _still(symbols, alive, reasons)
-    dark = np.array([dark_share(sheet.lines, triangles[k]) for k in alive])
+    dark = np.array([dark_share(sheet.lines, xy[candidates[k]]) for k in alive])
     _reject(reasons, "dark share", alive, dark < method.max_dark)
 
     symbols, alive = _still(symbols, alive, reasons)
     if method.keep_best:
         order = np.argsort(-symbols.quality, kind="stable")
         symbols, alive = symbols[order], alive[order]
-    _reject(reasons, "overlap", alive, without_overlap(triangles[alive], method.max_overlap))
+    _reject(reasons, "overlap", alive, without_overlap(xy[candidates[alive]], method.max_overlap))
 
     symbols, alive = _still(symbols, alive, reasons)
     _reject(reasons, "size mode", alive, _near_mode(symbols, method.size_mode_factor))
@@ -107,7 +107,7 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
 
     symbols, alive = _still(symbols, alive, reasons)
     if method.drop_on_outer_walls and alive.size:
-        _reject(reasons, "outer walls", alive, ~_on_outer_wall(triangles[alive], xy, method.outer_tolerance))
+        _reject(reasons, "outer walls", alive, ~_on_outer_wall(xy[candidates[alive]], xy, method.outer_tolerance))
         symbols, alive = _still(symbols, alive, reasons)
 
     return DoorSearch(

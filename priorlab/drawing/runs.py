@@ -12,7 +12,7 @@ def label_runs(mask: NDArray[np.bool_], axis: int) -> NDArray[np.int32]:
     >>> label_runs(np.array([[1, 1, 0, 1]], dtype=bool), axis=1).tolist()
     [[1, 1, 0, 2]]
     """
-    rows = mask if axis == 1 else mask.T
+    rows = mask if axis == 1 else np.ascontiguousarray(mask.T)
     starts = rows.copy()
     starts[:, 1:] &= ~rows[:, :-1]
     labels = np.cumsum(starts.ravel(), dtype=np.int32).reshape(rows.shape) * rows
