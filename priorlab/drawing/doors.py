@@ -13,7 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from priorlab.core.drawing import Door, Drawing
 from priorlab.drawing.candidates import DOOR, TESTS, DoorSearch, wedges
 from priorlab.drawing.connectivity import connect
+from priorlab.drawing.door_ink import scaled_doors
 from priorlab.drawing.geometry import passes_geometry
+from priorlab.drawing.jambs import with_measured_jambs
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import extreme_corners
 from priorlab.drawing.overlap import dark_share, without_overlap
@@ -115,7 +117,7 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
         edges=np.argwhere(np.triu(connected)),
         candidates=candidates,
         reasons=reasons,
-        doors=_as_doors(symbols, sheet.scale),
+        doors=_as_doors(symbols, sheet, method),
     )
 
 
@@ -181,16 +183,12 @@ def _on_outer_wall(triangles: NDArray[np.float64], corners: NDArray[np.float64],
     return np.asarray(on.any(axis=1))
 
 
-def _as_doors(symbols: Symbols, scale: int) -> tuple[Door, ...]:
+def _as_doors(symbols: Symbols, sheet: Sheet, method: Method) -> tuple[Door, ...]:
     """Doors in pixels of the drawing that came in."""
     kinds = np.where(symbols.has_arc, "arc", "straight")
-    return tuple(
-        Door(
-            hinge=(float(h[0] / scale), float(h[1] / scale)),
-            strike=(float(s[0] / scale), float(s[1] / scale)),
-            tip=(float(t[0] / scale), float(t[1] / scale)),
-            kind=str(kind),
-            quality=round(float(quality), 4),
-        )
-        for h, s, t, kind, quality in zip(symbols.hinge, symbols.strike, symbols.tip, kinds, symbols.quality, strict=True)
-    )
+    found = []
+    for k in range(len(kinds)):
+        hinge, strike, tip = ((float(p[k, 0]), float(p[k, 1])) for p in (symbols.hinge, symbols.strike, symbols.tip))
+        door = Door(hinge, strike, tip, kind=str(kinds[k]), quality=round(float(symbols.quality[k]), 4))
+        found.append(with_measured_jambs(door, sheet.walls) if method.measure_jambs else door)
+    return scaled_doors(found, 1 / sheet.scale)

@@ -38,6 +38,7 @@ class Method:
     one_kind : where three doors have an arc, candidates without one are dropped: furniture is full of straight triangles
     drop_on_outer_walls : doors with a vertex on an outer wall are dropped (3.3.1, third check)
     outer_tolerance : corners within so many pixels of the extreme one vote for it (eq. 3.11)
+    measure_jambs : hinge and strike are moved to the ends of the white opening between them
     n_sweeps : sweeps of the wall search after the jambs (3.3.1: h, v, h, v)
     strip_share : strokes thinner than this share of the wall's own thickness are taken off after the sweeps; 0 keeps all
     bridge_widths : windows of at most so many door widths between two wall pieces are wall; 0 bridges none
@@ -74,6 +75,7 @@ class Method:
     one_kind: bool = False
     drop_on_outer_walls: bool = True
     outer_tolerance: float = 2.0
+    measure_jambs: bool = False
     n_sweeps: int = 4
     strip_share: float = 0.0
     bridge_widths: float = 0.0
@@ -115,6 +117,7 @@ ROBUST = Method(
     size_mode_factor=1.5,
     one_kind=True,
     drop_on_outer_walls=False,
+    measure_jambs=True,
     strip_share=0.5,
     bridge_widths=3.0,
 )

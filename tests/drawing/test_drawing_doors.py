@@ -7,10 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from priorlab.core.drawing import Drawing
+from priorlab.core.drawing import Door, Drawing
 from priorlab.drawing.candidates import TESTS, wedges
 from priorlab.drawing.corners import detect_corners
 from priorlab.drawing.doors import detect_doors, search_doors
+from priorlab.drawing.jambs import with_measured_jambs
 from priorlab.drawing.method import ROBUST, THESIS
 from priorlab.drawing.overlap import dark_share, shared_area
 from priorlab.drawing.preprocessing import prepare
@@ -44,7 +45,7 @@ def test_detect_doors_finds_the_one_door(room, method):
     assert len(doors) == 1
     assert {tuple(np.round(p, -1)) for p in (doors[0].hinge, doors[0].strike)} == {(150.0, 200.0), (200.0, 200.0)}
     assert np.allclose(doors[0].tip, room.tip, atol=6)
-    assert doors[0].width == pytest.approx(50, abs=5)
+    assert doors[0].width == pytest.approx(49, abs=0.5)  # columns 151 to 199 are white
     assert doors[0].kind == "arc"
 
 
@@ -92,3 +93,18 @@ def test_shared_area_is_a_share_of_the_smaller():
     big, small = [(0, 0), (40, 0), (0, 40)], [(0, 0), (10, 0), (0, 10)]
     assert shared_area(big, small) == pytest.approx(1)
     assert shared_area([(0, 0), (10, 0), (0, 10)], [(5, 0), (15, 0), (5, 10)]) == pytest.approx(0.25, abs=0.01)
+
+
+@pytest.mark.parametrize("swap", [False, True])
+def test_with_measured_jambs_upright_opening(swap):
+    walls = np.zeros((80, 30), dtype=bool)
+    walls[:20, 10:16] = walls[60:, 10:16] = True  # white rows 20 to 59
+    hinge, strike = ((16, 23), (17, 57)) if not swap else ((17, 57), (16, 23))
+    measured = with_measured_jambs(Door(hinge, strike, (50, hinge[1])), walls)
+    assert measured.width == 40
+    assert abs(measured.hinge[1] - hinge[1]) < 5
+
+
+def test_with_measured_jambs_keeps_a_door_without_walls():
+    door = Door((10, 10), (30, 10), (10, 30))
+    assert with_measured_jambs(door, np.zeros((40, 40), dtype=bool)) == door
