@@ -97,7 +97,7 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
     return WallSearch(
         outer=sheet.to_input(outer),
         sweeps=tuple(sheet.to_input(stage) for stage in sweeps),
-        hypotheses=tuple(Hypothesis(h.name, sheet.to_input(h.walls), h.quality) for h in hypotheses),
+        hypotheses=tuple(Hypothesis(h.name, sheet.to_input(h.walls), h.quality, h.solid) for h in hypotheses),
         chosen=chosen,
         walls=sheet.to_input(walls),
     )
