@@ -19,7 +19,7 @@ demo: $(READY)  ## one floor plan all the way, from the drawing to FastSLAM; lea
 	$(BIN)/priorlab demo --out $(OUT) --force
 
 test: $(READY)  ## everything: unit tests, doctests and the notebooks through strict nbval
-	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile tests priorlab
+	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile --doctest-glob='*.md' tests priorlab docs
 	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 notebooks
 
 lab: $(READY)  ## open the course in JupyterLab (token on, this machine only)
