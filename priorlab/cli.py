@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import importlib.metadata
+import os
 import shlex
 import sys
 import time
@@ -124,7 +125,7 @@ def _how_to_run(command: argparse.ArgumentParser, out: str | None, method: str) 
 
 def _demo(arguments: argparse.Namespace) -> int:
     """One of our buildings."""
-    check_free(arguments.out, arguments.force)
+    _check_place(arguments.out, arguments.force)
     from priorlab.buildings.floor_plans import load_floor_plan
 
     plan = load_floor_plan(arguments.building)
@@ -133,10 +134,22 @@ def _demo(arguments: argparse.Namespace) -> int:
 
 def _run(arguments: argparse.Namespace) -> int:
     """The user's own drawing."""
-    check_free(arguments.out, arguments.force)
+    _check_place(arguments.out, arguments.force, arguments.drawing)
     from priorlab.interchange.images import read_drawing
 
     return _go(arguments, read_drawing(arguments.drawing, arguments.metres_per_pixel), None)
+
+
+def _check_place(out: str, force: bool, *keep: str) -> None:
+    """Say before anything is computed that the results cannot be put there; --force never takes what is still needed."""
+    check_free(out, force)
+    place = Path(out).resolve()
+    for needed in (Path.cwd(), *(Path(one).resolve() for one in keep)):
+        if place.exists() and (needed == place or place in needed.parents):
+            raise ValueError(f"--out must not be a folder that holds {needed}, got {out}: --force would remove it")
+    standing = next(folder for folder in place.parents if folder.exists())
+    if not standing.is_dir() or not os.access(standing, os.W_OK):
+        raise ValueError(f"--out must lie in a folder that can be written, got {out} below {standing}")
 
 
 def _go(arguments: argparse.Namespace, drawing: Drawing, plan: FloorPlan | None) -> int:
@@ -148,7 +161,8 @@ def _go(arguments: argparse.Namespace, drawing: Drawing, plan: FloorPlan | None)
 
     prior = Prior(arguments.p_wall, arguments.p_space)
     tell = _Clock()
-    print(f"{drawing.name}: {drawing.shape[1]} x {drawing.shape[0]} pixels")
+    reduced = f", reduced by {drawing.reduced_by:.2f}" if drawing.reduced_by > 1 else ""
+    print(f"{drawing.name}: {drawing.shape[1]} x {drawing.shape[0]} pixels{reduced}")
     result = run_pipeline(
         drawing,
         plan,

@@ -129,6 +129,21 @@ def test_run_overwrites_nothing_and_says_so_before_it_computes(room, tmp_path, c
     assert (out / "mine.txt").read_text() == "mine"
 
 
+@pytest.mark.parametrize("place", [".", ".."])
+def test_force_never_removes_the_drawing(place, room, tmp_path, capsys, monkeypatch):
+    (tmp_path / "below").mkdir()
+    monkeypatch.chdir(tmp_path if place == "." else tmp_path / "below")
+    code, said = said_for(capsys, "run", room, "--out", place, "--force")
+    assert code == 2 and "--out must not be a folder that holds" in said and room.exists()
+
+
+def test_run_says_at_once_that_a_place_cannot_be_written(room, tmp_path, capsys):
+    (tmp_path / "a_file").write_text("mine")
+    code, said = said_for(capsys, "run", room, "--out", tmp_path / "a_file" / "out")
+    assert code == 2 and "--out must lie in a folder that can be written" in said
+    assert (tmp_path / "a_file").read_text() == "mine"
+
+
 def test_demo_names_the_nearest_building(tmp_path, capsys):
     code, said = said_for(capsys, "demo", "--building", "smal_flat", "--out", tmp_path / "out")
     assert code == 2 and "did you mean 'small_flat'" in said and said.count("\n") == 1
@@ -136,7 +151,7 @@ def test_demo_names_the_nearest_building(tmp_path, capsys):
 
 
 def test_figures_names_the_nearest_figure(tmp_path, capsys):
-    code, said = said_for(capsys, "figures", "fig-2-8", "--out", tmp_path / "out")
+    code, said = said_for(capsys, "figures", "fig-2-99", "--out", tmp_path / "out")
     assert code == 2 and "did you mean 'fig-2-9'" in said
     assert not (tmp_path / "out").exists()
 
