@@ -89,7 +89,7 @@ def _parser() -> argparse.ArgumentParser:
     figures = commands.add_parser("figures", help="a figure or table of the thesis anew: ours, with numbers and a verdict")
     figures.add_argument("name", nargs="?", metavar="NAME", help="as --list has it; 'all' makes every one")
     figures.add_argument("--list", action="store_true", help="list the names and leave")
-    _where(figures, out="figures/made")
+    _where(figures, out="out/figures")
     figures.set_defaults(act=_figures)
 
     student = commands.add_parser("student", help="copies of the notebooks without the solutions")
