@@ -35,10 +35,10 @@ lint: $(READY)  ## ruff, check and format
 types: $(READY)  ## mypy on the package
 	$(BIN)/mypy
 
-coverage: $(READY)  ## branch coverage of the mathematics (fails below 90 %)
+coverage: $(READY)  ## branch coverage of the mathematics (fails below 95 %)
 	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile -q tests/core tests/mapping tests/optimize tests/slam tests/robot \
 		--cov=priorlab.core --cov=priorlab.mapping --cov=priorlab.optimize --cov=priorlab.slam --cov=priorlab.robot \
-		--cov-branch --cov-report=term-missing:skip-covered --cov-fail-under=90
+		--cov-branch --cov-report=term-missing:skip-covered --cov-fail-under=95
 
 bench: $(READY)  ## speed, as tables of ratios against the alternative
 	$(BIN)/python -m pytest -q -s tests/benchmarks
