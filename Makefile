@@ -7,10 +7,11 @@ BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
 OUT    ?= out/demo
 JOBS   ?= 2
-export MPLBACKEND = Agg
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test lab notebooks lint types coverage bench api real lock clean
+# Pictures go to files there; in JupyterLab they go to the page.
+demo test notebooks coverage bench api real: export MPLBACKEND = Agg
+.PHONY: help demo test lab notebooks lint types coverage bench bench-browser api real lock clean
 
 help:  ## show this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 16
@@ -23,7 +24,8 @@ test: $(READY)  ## everything: unit tests, doctests and the notebooks through st
 	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 notebooks
 
 lab: $(READY)  ## open the course in JupyterLab (token on, this machine only)
-	cd notebooks && ../$(BIN)/jupyter lab --ServerApp.ip=127.0.0.1 00_start_here.ipynb
+	cd notebooks && ../$(BIN)/jupyter lab --ServerApp.ip=127.0.0.1 \
+		--ServerApp.kernel_websocket_connection_class=priorlab.course.prompt_server.PromptConnection 00_start_here.ipynb
 
 notebooks: $(READY)  ## run all notebooks again, without widget state, and show what changed
 	$(BIN)/python -m priorlab.course.execute notebooks
@@ -42,6 +44,9 @@ coverage: $(READY)  ## branch coverage of the mathematics (fails below 95 %)
 
 bench: $(READY)  ## speed, as tables of ratios against the alternative
 	$(BIN)/python -m pytest -q -s tests/benchmarks
+
+bench-browser: $(READY)  ## sliders in a real browser, key press to painted picture (needs chromium, and playwright in .venv)
+	$(BIN)/python tests/benchmarks/browser_sliders.py
 
 api: $(READY)  ## write the snapshot of the public names anew (look at the change before you commit it)
 	$(BIN)/python tests/project/public_api.py > tests/project/public_api.txt
