@@ -51,8 +51,8 @@ SLAM_PRIOR = Prior(p_wall=0.3, p_space=0.8)
 SLAM_CELL_M = 0.05
 """Side of a cell in chapter 6, metres."""
 
-BELOW_HALF = 0.5 - 1e-6
-"""Chapter 6 scores at P(empty) < 0.5: a cell at 0.5, of which nothing is known, is no wall."""
+SLAM_THRESHOLD = 0.5
+"""Chapter 6 scores at 0.5 (a cell at 0.5, of which nothing is known, is no wall)."""
 
 Progress = Callable[[str], None]
 
@@ -326,7 +326,7 @@ def drive_with_prior(
     log = drive(world, tour, KINECT, ODOMETRY, rng_world)
     run = FastSLAM().run(prior_map, log, rng_filter, progress)
     uninformed = run.remap(build_prior_map(walls, Prior.uninformed(), cell_size_m=cell_m))
-    scores = [None if truth is None else score_map(one, truth, BELOW_HALF) for one in (prior_map, run.map, uninformed)]
+    scores = [None if truth is None else score_map(one, truth, SLAM_THRESHOLD) for one in (prior_map, run.map, uninformed)]
     return Drive(log, run, uninformed, *scores)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from priorlab import plot
-from priorlab.pipeline import BELOW_HALF, SLAM_PRIOR, Drive, PipelineResult
+from priorlab.pipeline import SLAM_PRIOR, SLAM_THRESHOLD, Drive, PipelineResult
 from priorlab.report.pictures import picture, size_for
 from priorlab.report.section import Section, score_table
 from priorlab.slam.trajectory_error import position_errors_m, true_poses
@@ -75,7 +75,7 @@ def drive_section(result: PipelineResult, drive: Drive) -> Section:
         "scans alone, no plan": drive.score_uninformed,
         "plan and scans": drive.score_informed,
     }
-    caption = f"Detected as wall: P(empty) < {round(BELOW_HALF, 3):g}, as chapter 6 has it"
+    caption = f"Detected as wall: P(empty) < {SLAM_THRESHOLD:g}, as chapter 6 has it"
     return Section(
         "FastSLAM: when the pose is not known", text + said + alone, pictures, (score_table(scores, caption),), warnings
     )

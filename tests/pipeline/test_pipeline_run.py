@@ -7,7 +7,7 @@ import pytest
 
 import priorlab as pl
 from priorlab.mapping.overruled import OverruledSensorWarning
-from priorlab.pipeline import BELOW_HALF, SLAM_PRIOR, drive_with_prior, gain_percent, map_with_prior, run_pipeline
+from priorlab.pipeline import SLAM_PRIOR, SLAM_THRESHOLD, drive_with_prior, gain_percent, map_with_prior, run_pipeline
 
 
 @pytest.fixture(scope="module")
@@ -36,7 +36,7 @@ def test_run_pipeline_equals_the_steps_of_the_readme(plan, result):
     log = pl.drive(plan.world, plan.tour, pl.KINECT, pl.ODOMETRY, rng_world)
     run = pl.FastSLAM().run(pl.build_prior_map(metric, SLAM_PRIOR, cell_size_m=0.05), log, rng_filter)
     assert np.array_equal(run.trajectory, result.drive.run.trajectory)
-    assert result.drive.score_informed == pl.score_map(run.map, plan.truth, BELOW_HALF)
+    assert result.drive.score_informed == pl.score_map(run.map, plan.truth, SLAM_THRESHOLD)
 
 
 def test_run_pipeline_sweep_agrees_with_the_map(result):
@@ -54,7 +54,7 @@ def test_run_pipeline_without_the_plan_starts_from_half(result):
 def test_run_pipeline_knows_no_wall_where_nothing_was_seen(result):
     drive = result.drive
     unseen = drive.uninformed.log_odds == 0
-    assert unseen.any() and not drive.uninformed.detected(BELOW_HALF)[unseen].any()
+    assert unseen.any() and not drive.uninformed.detected(SLAM_THRESHOLD)[unseen].any()
 
 
 def test_run_pipeline_takes_the_time_of_every_stage(result):
