@@ -10,8 +10,8 @@ JOBS   ?= 2
 
 .DEFAULT_GOAL := help
 # Pictures go to files there; in JupyterLab they go to the page.
-demo test notebooks coverage bench api real: export MPLBACKEND = Agg
-.PHONY: help demo test lab notebooks lint types coverage bench bench-browser api real lock clean
+demo test notebooks coverage bench figures api real: export MPLBACKEND = Agg
+.PHONY: help demo test lab notebooks lint types coverage bench bench-browser figures api real lock clean
 
 help:  ## show this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 16
@@ -50,6 +50,9 @@ bench-browser: $(READY)  ## sliders in a real browser, key press to painted pict
 
 api: $(READY)  ## write the snapshot of the public names anew (look at the change before you commit it)
 	$(BIN)/python tests/project/public_api.py > tests/project/public_api.txt
+
+figures: $(READY)  ## the thesis's figures and tables anew, with numbers and verdicts, into figures/
+	$(BIN)/priorlab figures all --out figures --force
 
 real: $(READY)  ## the tests on real data: make real DATA=folder
 	@test -n "$(DATA)" || { echo "say where the real data lies: make real DATA=folder"; exit 2; }
