@@ -18,7 +18,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
-from priorlab.core.files import check_free
+from priorlab.core.files import check_place
 
 if TYPE_CHECKING:
     from priorlab.core.building import FloorPlan
@@ -46,8 +46,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         return int(arguments.act(arguments))
     except KeyboardInterrupt:
-        print("priorlab: interrupted; nothing was written", file=sys.stderr)
+        print("priorlab: interrupted; nothing was left half written", file=sys.stderr)
         return INTERRUPTED
+    except BrokenPipeError:  # `priorlab buildings | head -1`: the reader has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return GOOD
     except (ValueError, OSError) as mistake:  # a sentence with name, rule and value
         if arguments.traceback:
             traceback.print_exc()
@@ -96,7 +99,7 @@ def _parser() -> argparse.ArgumentParser:
     student.add_argument("out", metavar="OUT", help="folder for the copies")
     student.add_argument("--notebooks", default="notebooks", metavar="DIR", help="the teacher's notebooks (default %(default)s)")
     student.add_argument("--seed", type=_seed, default=0, help="the student's own numbers (default %(default)s)")
-    student.add_argument("--force", action="store_true", help="replace what stands at OUT")
+    student.add_argument("--force", action="store_true", help="replace the folder, if priorlab made it")
     student.set_defaults(act=_student)
 
     buildings = commands.add_parser("buildings", help="list the bundled buildings")
@@ -110,7 +113,7 @@ def _where(command: argparse.ArgumentParser, out: str | None) -> None:
     """Where the results go."""
     words = "folder for the results" + (" (default %(default)s)" if out else "")
     command.add_argument("--out", default=out, required=out is None, metavar="DIR", help=words)
-    command.add_argument("--force", action="store_true", help="replace what stands there")
+    command.add_argument("--force", action="store_true", help="replace the folder, if priorlab made it")
     command.add_argument("--seed", type=_seed, default=0, help="of everything random (default %(default)s)")
 
 
@@ -125,7 +128,7 @@ def _how_to_run(command: argparse.ArgumentParser, out: str | None, method: str) 
 
 def _demo(arguments: argparse.Namespace) -> int:
     """One of our buildings."""
-    _check_place(arguments.out, arguments.force)
+    check_place(arguments.out, arguments.force)
     from priorlab.buildings.floor_plans import load_floor_plan
 
     plan = load_floor_plan(arguments.building)
@@ -134,22 +137,10 @@ def _demo(arguments: argparse.Namespace) -> int:
 
 def _run(arguments: argparse.Namespace) -> int:
     """The user's own drawing."""
-    _check_place(arguments.out, arguments.force, arguments.drawing)
+    check_place(arguments.out, arguments.force, keep=[arguments.drawing])
     from priorlab.interchange.images import read_drawing
 
     return _go(arguments, read_drawing(arguments.drawing, arguments.metres_per_pixel), None)
-
-
-def _check_place(out: str, force: bool, *keep: str) -> None:
-    """Say before anything is computed that the results cannot be put there; --force never takes what is still needed."""
-    check_free(out, force)
-    place = Path(out).resolve()
-    for needed in (Path.cwd(), *(Path(one).resolve() for one in keep)):
-        if place.exists() and (needed == place or place in needed.parents):
-            raise ValueError(f"--out must not be a folder that holds {needed}, got {out}: --force would remove it")
-    standing = next(folder for folder in place.parents if folder.exists())
-    if not standing.is_dir() or not os.access(standing, os.W_OK):
-        raise ValueError(f"--out must lie in a folder that can be written, got {out} below {standing}")
 
 
 def _go(arguments: argparse.Namespace, drawing: Drawing, plan: FloorPlan | None) -> int:
@@ -210,7 +201,7 @@ def summary(result: PipelineResult) -> list[tuple[str, str]]:
         rows.append(("walls: precision, recall", f"{score.precision:.3f}, {score.recall:.3f}"))
     else:
         rows.append(("walls", f"{100 * result.walls.mask.mean():.1f} % of the pixels; no truth is known, so no score"))
-    if not result.has_walls:
+    if not result.has_walls or not result.extraction.doors:
         rows += [(f"  after {name}", f"{count} left") for name, count in result.extraction.funnel.items()]
     if mapping is not None:
         rows.append(("survey", f"{len(mapping.readings)} poses, {mapping.evidence.mean_looks:.2f} looks at a seen cell"))
@@ -251,7 +242,6 @@ def _figures(arguments: argparse.Namespace) -> int:
 
 def _student(arguments: argparse.Namespace) -> int:
     """The students' copies."""
-    check_free(arguments.out, arguments.force)
     from priorlab.course.student import student_copy
 
     for path in student_copy(arguments.notebooks, arguments.out, arguments.force, arguments.seed):

@@ -35,7 +35,7 @@ from priorlab.optimize.experiment import Experiment
 from priorlab.optimize.front import Front
 from priorlab.optimize.pareto import pareto_front
 from priorlab.optimize.sweep import Sweep
-from priorlab.robot.drive import drive
+from priorlab.robot.drive import BlockedTourError, drive
 from priorlab.robot.explore import explore
 from priorlab.robot.free_space import LeakError
 from priorlab.robot.planner import plan_survey, plan_tour
@@ -44,6 +44,9 @@ from priorlab.slam.recording import Run
 
 DOOR_M = 0.85
 """How wide a door is taken to be when a drawing has no scale, metres."""
+
+MIN_DOOR_PX = 4
+"""A scale at which a door is narrower than this is a slip of the pen."""
 
 SLAM_PRIOR = Prior(p_wall=0.3, p_space=0.8)
 """Table 6.1: effective 0.27 and 0.72, less sure than the sensor of chapter 6 (0.8 and 0.2)."""
@@ -203,19 +206,20 @@ def run_pipeline(
     Raises
     ------
     ValueError
-        For a cell size larger than the drawing, or a scale that is not positive.
+        For a cell size larger than the drawing, or a scale at which a door would be a speck or larger than the drawing.
     """
     if seed < 0:
         raise ValueError(f"seed must be a whole number of at least 0, got {seed}")
     Grid(drawing.shape, cell_size)  # say at once when the cells are too large
-    if metres_per_pixel is not None:
-        check_positive("metres_per_pixel", metres_per_pixel)
+    told = metres_per_pixel if metres_per_pixel is not None else drawing.metres_per_pixel
+    if told is not None:
+        _check_scale(told, drawing)
     prior = prior or Prior()
     rng_search, rng_world, rng_filter = np.random.default_rng(seed).spawn(3)
     stage = _Stages(progress)
 
     with stage("walls", "corners, doors and walls of the drawing"):
-        extraction = extract_walls(drawing, method)
+        extraction = extract_walls(drawing, method, _steps_within(progress))
     scale = find_scale(drawing, plan, metres_per_pixel, extraction)
     walls = Walls(extraction.walls.labels, scale.metres_per_pixel, drawing.name)
     result = PipelineResult(
@@ -261,9 +265,27 @@ def run_pipeline(
             result = replace(result, search=search_priors(walls, mapping.evidence, truth, rng_search))
     if not (tour != tour[0]).any():
         return replace(result, stopped="no drive: the extracted walls leave the robot only one place to go to")
-    with stage("drive", "FastSLAM through the building"):
-        result = replace(result, drive=drive_with_prior(walls, world, tour, truth, rng_world, rng_filter))
-    return result
+    try:
+        with stage("drive", "FastSLAM through the building"):
+            return replace(result, drive=drive_with_prior(walls, world, tour, truth, rng_world, rng_filter))
+    except BlockedTourError as blocked:  # walls that a plan's coarse cells did not show
+        return replace(result, stopped=f"no drive: {blocked}")
+
+
+def _steps_within(progress: Progress | None) -> Callable[[str, float], None] | None:
+    """Tells the steps of a stage, a little further in; its end is the next stage's beginning."""
+    return progress and (lambda step, share: progress(f"  {step}") if share < 1 else None)
+
+
+def _check_scale(metres_per_pixel: float, drawing: Drawing) -> None:
+    """Say when a scale makes no sense: at it a door is smaller than its symbol can be drawn, or larger than the drawing."""
+    door = DOOR_M / check_positive("metres_per_pixel", metres_per_pixel)
+    widest = min(drawing.shape)
+    if not MIN_DOOR_PX <= door <= widest:
+        raise ValueError(
+            f"metres_per_pixel must make a door of {DOOR_M:g} m {MIN_DOOR_PX:g} to {widest} pixels wide, "
+            f"got {metres_per_pixel:g}: {door:.3g} pixels"
+        )
 
 
 class _Stages:

@@ -26,6 +26,13 @@ def check_positive(name: str, value: float) -> float:
     return value
 
 
+def check_rng(rng: object) -> np.random.Generator:
+    """Return the generator, or say that chance must be handed over as one."""
+    if not isinstance(rng, np.random.Generator):
+        raise ValueError(f"rng must be a numpy Generator, as numpy.random.default_rng(0) makes it, got {rng!r}")
+    return rng
+
+
 def check_image(name: str, image: ArrayLike, dtype: type = bool) -> NDArray:
     """Return a 2-D array of `dtype` with at least one pixel, or say what is wrong with it."""
     array = np.asarray(image)

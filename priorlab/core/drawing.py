@@ -36,7 +36,10 @@ class Drawing:
     reduced_by: float = 1.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "grey", check_image("grey", self.grey, np.uint8))
+        grey = np.asarray(self.grey)
+        if grey.dtype != np.uint8:
+            raise ValueError(f"grey must hold uint8 from 0 (ink) to 255 (paper), got {grey.dtype}")
+        object.__setattr__(self, "grey", check_image("grey", grey, np.uint8))
         if self.colour is not None and self.colour.shape != (*self.grey.shape, 3):
             raise ValueError(f"colour must have shape {(*self.grey.shape, 3)}, got {self.colour.shape}")
         if self.metres_per_pixel is not None:
@@ -95,7 +98,12 @@ class Walls:
     mask: NDArray[np.bool_] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        labels = check_image("labels", self.labels, np.uint8)
+        given = np.asarray(self.labels)
+        if given.dtype.kind not in "bui" or (given.size and not (given.min() >= 0 and given.max() <= 255)):
+            raise ValueError(f"labels must be whole numbers from 0 to 255, got {given.dtype} from {given.min()} to {given.max()}")
+        labels = check_image("labels", given, np.uint8)
+        if self.metres_per_pixel is not None:
+            object.__setattr__(self, "metres_per_pixel", check_positive("metres_per_pixel", self.metres_per_pixel))
         object.__setattr__(self, "labels", labels)
         object.__setattr__(self, "mask", labels == WALL)
 

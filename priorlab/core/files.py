@@ -6,7 +6,7 @@ import contextlib
 import os
 import shutil
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 MAX_PIXELS = 200_000_000
@@ -16,14 +16,24 @@ WORKING_PIXELS = 16_000_000
 """Images above this are reduced when read, and said so."""
 
 
+MARK = ".priorlab"
+"""A file in every folder that priorlab made: only such a folder, or an empty one, is ever replaced."""
+
+
 @contextlib.contextmanager
-def new_folder(path: str | Path, force: bool = False) -> Iterator[Path]:
+def new_folder(path: str | Path, force: bool = False, keep: Sequence[str | Path] = ()) -> Iterator[Path]:
     """A folder to fill; it appears under `path` only when the block ends well.
+
+    Parameters
+    ----------
+    path : where it will stand
+    force : replace a folder that stands there and that priorlab made
+    keep : what must not go with the folder that is replaced; the working folder never goes
 
     Raises
     ------
-    FileExistsError
-        When `path` exists and `force` is not given: nothing of the user's is overwritten.
+    FileExistsError, ValueError
+        As `check_place` says, before the block and, should something have come up in the meantime, after it.
 
     >>> with tempfile.TemporaryDirectory() as somewhere:
     ...     with new_folder(Path(somewhere) / "out") as folder:
@@ -31,27 +41,65 @@ def new_folder(path: str | Path, force: bool = False) -> Iterator[Path]:
     ...     (Path(somewhere) / "out" / "a.txt").read_text()
     'a'
     """
-    path = Path(path)
-    check_free(path, force)
+    check_place(path, force, keep)
+    path = Path(path).absolute()
     path.parent.mkdir(parents=True, exist_ok=True)
-    beside = Path(tempfile.mkdtemp(prefix=f".{path.name}-", dir=path.parent))
+    beside = Path(tempfile.mkdtemp(prefix=f".{path.name[:50]}-", dir=path.parent))
     os.chmod(beside, 0o755)
     try:
         yield beside
-        if path.exists():  # only with force: out of the way first, gone only when the new one stands
-            old = Path(tempfile.mkdtemp(prefix=f".{path.name}-old-", dir=path.parent))
-            path.rename(old / path.name)
-            beside.rename(path)
-            shutil.rmtree(old)
-        else:
-            beside.rename(path)
+        (beside / MARK).write_text("Made by priorlab; --force may replace this folder.\n")
+        check_place(path, force, keep)
+        _put_in_place(beside, path)
     finally:
         shutil.rmtree(beside, ignore_errors=True)
 
 
+def _put_in_place(beside: Path, path: Path) -> None:
+    """Rename a folder into its place; what stood there goes only when the new one stands."""
+    if not os.path.lexists(path):
+        beside.rename(path)
+        return
+    aside = Path(tempfile.mkdtemp(prefix=f".{path.name[:50]}-old-", dir=path.parent))
+    try:
+        path.rename(aside / "old")
+        try:
+            beside.rename(path)
+        except OSError:
+            (aside / "old").rename(path)
+            raise
+    finally:
+        shutil.rmtree(aside, ignore_errors=True)
+
+
+def check_place(path: str | Path, force: bool = False, keep: Sequence[str | Path] = ()) -> None:
+    """Say when a folder of results cannot be put at `path`, or would take with it what is still needed.
+
+    Raises
+    ------
+    FileExistsError
+        When something stands there and `force` is not given, or stands there that priorlab did not make.
+    ValueError
+        When it holds the working folder or something of `keep`, or when nothing can be written there.
+    """
+    if not str(path):
+        raise ValueError("the folder for the results must have a name, got ''")
+    check_free(path, force)
+    place = Path(path).resolve()
+    if os.path.lexists(path):
+        for needed in (Path.cwd(), *(Path(one).resolve() for one in keep)):
+            if needed == place or place in needed.parents:
+                raise ValueError(f"the folder for the results must not hold {needed}, got {path}: --force would remove it")
+        if not place.is_dir() or (any(place.iterdir()) and not (place / MARK).exists()):
+            raise FileExistsError(f"{path} is not a folder that priorlab made: --force replaces no other, choose another place")
+    standing = next(folder for folder in place.parents if folder.exists())
+    if not standing.is_dir() or not os.access(standing, os.W_OK):
+        raise ValueError(f"the folder for the results must lie where one can write, got {path} below {standing}")
+
+
 def check_free(path: str | Path, force: bool = False) -> None:
     """Say so when something stands at `path` already and may not be replaced."""
-    if Path(path).exists() and not force:
+    if os.path.lexists(path) and not force:
         raise FileExistsError(f"{path} exists already: choose another place, or replace it with --force")
 
 

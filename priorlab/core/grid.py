@@ -15,6 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.checks import check_positive
 
+MAX_CELLS = 200_000_000
+"""More cells than the largest image has pixels fit into no memory."""
+
 
 @dataclass(frozen=True)
 class Grid:
@@ -48,6 +51,9 @@ class Grid:
         object.__setattr__(self, "cell_size", int(size) if size.is_integer() else size)
         if size > min(height, width):
             raise ValueError(f"cell_size must not exceed the drawing's {width} x {height} pixels, got {size:g}")
+        n_cells = height * width / size**2
+        if n_cells > MAX_CELLS:
+            raise ValueError(f"cell_size must leave at most {MAX_CELLS:,} cells, got {size:g}: {n_cells:,.0f} cells")
         if self.metres_per_pixel is not None:
             object.__setattr__(self, "metres_per_pixel", check_positive("metres_per_pixel", self.metres_per_pixel))
 

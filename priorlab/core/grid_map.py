@@ -86,6 +86,8 @@ class GridMap:
         values = np.asarray(self.log_odds, dtype=np.float64)
         if values.shape != self.grid.shape:
             raise ValueError(f"log_odds must have the grid's shape {self.grid.shape}, got {values.shape}")
+        if not np.isfinite(values).all():
+            raise ValueError(f"log_odds must be finite numbers, got {values[~np.isfinite(values)].flat[0]:g}")
         object.__setattr__(self, "log_odds", values)
 
     @property

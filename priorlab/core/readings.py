@@ -35,6 +35,8 @@ class Readings:
         poses = check_poses("poses", self.poses)
         ranges = np.asarray(self.ranges, dtype=np.float64)
         bearings = np.asarray(self.bearings, dtype=np.float64)
+        if bearings.ndim != 1 or not bearings.size or not np.isfinite(bearings).all():
+            raise ValueError(f"bearings must be one row of finite angles, got {bearings.tolist()}")
         if ranges.shape != (len(poses), len(bearings)):
             raise ValueError(f"ranges must have shape {(len(poses), len(bearings))}, got {ranges.shape}")
         if np.isnan(ranges).any() or (ranges < 0).any():
@@ -81,6 +83,10 @@ class Evidence:
             if values.shape != self.grid.shape:
                 raise ValueError(f"{name} must have the grid's shape {self.grid.shape}, got {values.shape}")
             object.__setattr__(self, name, values)
+        if not np.isfinite(self.total).all():
+            raise ValueError(f"total must be finite numbers, got {self.total[~np.isfinite(self.total)].flat[0]:g}")
+        if (self.looks < 0).any():
+            raise ValueError(f"looks must not be negative, got {self.looks.min()}: more was taken away than was there")
 
     @classmethod
     def none(cls, grid: Grid, sensor: RangeSensor | None = None) -> Evidence:

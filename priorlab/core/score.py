@@ -104,7 +104,7 @@ def score_map(grid_map: GridMap, truth: Truth, threshold: float = DETECTED_WALL,
     Raises
     ------
     ValueError
-        When the map lies on another drawing than the truth, or the threshold outside (0, 1).
+        When the map lies on another drawing than the truth, or the threshold outside (0, 0.5].
     """
     if grid_map.grid.image_shape != truth.shape:
         raise ValueError(f"map and truth must have one shape, got {grid_map.grid.image_shape} and {truth.shape}")

@@ -65,14 +65,14 @@ class Scanner:
     dropout_rate: float = 0.02
 
     def __post_init__(self) -> None:
-        if self.n_beams < 1:
-            raise ValueError(f"n_beams must be at least 1, got {self.n_beams}")
+        if self.n_beams < 1 or self.n_beams != int(self.n_beams):
+            raise ValueError(f"n_beams must be a whole number of at least 1, got {self.n_beams}")
         for name in ("field_of_view", "max_range_m"):
             check_positive(name, getattr(self, name))
         if not 0 <= self.min_range_m < self.max_range_m:
             raise ValueError(f"min_range_m must lie in [0, max_range_m), got {self.min_range_m:g}")
-        if self.range_noise_m < 0:
-            raise ValueError(f"range_noise_m must not be negative, got {self.range_noise_m:g}")
+        if not (math.isfinite(self.range_noise_m) and self.range_noise_m >= 0):
+            raise ValueError(f"range_noise_m must be a finite number of at least 0, got {self.range_noise_m:g}")
         for name in ("outlier_rate", "dropout_rate"):
             if not 0 <= getattr(self, name) <= 1:
                 raise ValueError(f"{name} must lie between 0 and 1, got {getattr(self, name):g}")

@@ -56,7 +56,7 @@ def student_copy(source: str | Path, out: str | Path, force: bool = False, seed:
     notebooks = sorted(Path(source).glob("*.ipynb"))
     if not notebooks:
         raise ValueError(f"the folder of the notebooks must hold at least one .ipynb, got {source}")
-    with new_folder(out, force) as folder:
+    with new_folder(out, force, keep=[source]) as folder:
         for notebook in notebooks:
             copied = clear_solutions(nbformat.read(notebook, as_version=4))
             for cell in copied.cells:

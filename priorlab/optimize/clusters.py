@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_rng
 from priorlab.optimize.front import Front
 from priorlab.optimize.plateaus import Plateau, Range
 
@@ -102,6 +103,7 @@ def cluster(front: Front | Sequence[Front], n_clusters: int = 3, *, rng: np.rand
     """
     if n_clusters < 1:
         raise ValueError(f"n_clusters must be at least 1, got {n_clusters}")
+    rng = check_rng(rng)
     fronts = [front] if isinstance(front, Front) else list(front)
     priors = np.concatenate([np.empty((0, 2)), *(one.priors for one in fronts)])
     source = np.repeat(np.arange(len(fronts)), [len(one) for one in fronts])

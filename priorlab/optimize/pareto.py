@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_rng
 from priorlab.optimize.experiment import Experiment
 from priorlab.optimize.front import BOUNDS, FLOOR, Front, non_dominated
 from priorlab.optimize.measures import share
@@ -46,6 +47,7 @@ def pareto_front(
     """
     if population < 2 or generations < 1:
         raise ValueError(f"the search must have a population of 2 and 1 generation or more, got {population} and {generations}")
+    rng = check_rng(rng)
     sweep = experiment.sweep()
     first = _first_population(rng, population, bounds)
     found = _search(sweep, first, int(rng.integers(2**31)), population, generations, bounds, floor)

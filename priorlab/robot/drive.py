@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.building import World
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import check_positive, check_rng
 from priorlab.core.grid import Grid
 from priorlab.core.pose import wrap_angle
 from priorlab.core.readings import RobotLog
@@ -52,8 +52,7 @@ def drive(
     >>> drive(world, [[0.5, 0.5], [2.5, 0.5]], rng=np.random.default_rng(0))
     RobotLog(21 scans of 60 beams over 2.0 m)
     """
-    if rng is None:
-        raise ValueError("rng must be a numpy Generator to drive with, got None")
+    rng = check_rng(rng)
     truth = true_path(tour, step_m, turn)
     _check_way(world, truth)
     rng_wheels, rng_scanner = rng.spawn(2)
@@ -65,6 +64,10 @@ def drive(
         start=truth[0],
         truth=truth,
     )
+
+
+class BlockedTourError(ValueError):
+    """A tour that leaves the map or runs through an obstacle."""
 
 
 def true_path(tour: ArrayLike, step_m: float = 0.1, turn: float = math.radians(15)) -> NDArray[np.float64]:
@@ -111,13 +114,13 @@ def _check_way(world: World, truth: NDArray[np.float64]) -> None:
     outside = np.flatnonzero(~grid.contains(xy))
     if outside.size:
         (x, y), (width, height) = truth[outside[0], :2], grid.xy_to_metres([world.obstacles.shape[::-1]])[0]
-        raise ValueError(f"tour must stay on the map of {width:.4g} x {height:.4g} m, got x, y = {x:.4g}, {y:.4g} m")
+        raise BlockedTourError(f"tour must stay on the map of {width:.4g} x {height:.4g} m, got x, y = {x:.4g}, {y:.4g} m")
     dx, dy = np.diff(xy, axis=0).T
     met = cast_rays(world.obstacles, xy[:-1], np.arctan2(dy, dx), float(max(np.hypot(dx, dy).max(), 1e-9)))
     blocked = np.flatnonzero(met <= np.hypot(dx, dy))
     if blocked.size:
         x, y = truth[blocked[0], :2]
-        raise ValueError(f"tour must run through free space, got an obstacle on the way from x, y = {x:.4g}, {y:.4g} m")
+        raise BlockedTourError(f"tour must run through free space, got an obstacle on the way from x, y = {x:.4g}, {y:.4g} m")
 
 
 def _scan(world: World, truth: NDArray[np.float64], scanner: Scanner, rng: np.random.Generator) -> NDArray[np.float64]:

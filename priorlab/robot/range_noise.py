@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_rng
+
 
 @dataclass(frozen=True)
 class RangeNoise:
@@ -54,8 +56,7 @@ def disturb(
     >>> disturb(np.array([0.2, 1.0, 5.0]), RangeNoise(min_range=0.4), 3.0, rng).tolist()
     [inf, 1.0, inf]
     """
-    if rng is None:
-        raise ValueError("rng must be a numpy Generator when the sensor has faults, got None")
+    rng = check_rng(rng)
     spread, random_range, is_outlier, is_lost = (
         rng.standard_normal(ranges.shape),
         rng.random(ranges.shape),

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from priorlab.core.checks import check_rng
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
 from priorlab.core.shipped import nearest_name
@@ -75,6 +76,7 @@ class FastSLAM:
         OverruledSensorWarning
             When the prior is surer than the sensor (eq. 2.22).
         """
+        rng = check_rng(rng)
         parameters, grid = self.parameters, prior_map.grid
         plan = LikelihoodField.of(prior_map, parameters)
         _check_start(plan, prior_map, log)

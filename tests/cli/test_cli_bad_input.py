@@ -4,7 +4,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 
 import cv2
 import numpy as np
@@ -118,13 +117,12 @@ def test_run_needs_a_place(room, capsys):
     assert code == 2 and "--out" in said and said.count("\n") == 1
 
 
-def test_run_overwrites_nothing_and_says_so_before_it_computes(room, tmp_path, capsys):
+def test_run_overwrites_nothing_and_says_so_before_it_computes(room, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("priorlab.pipeline.run_pipeline", lambda *_, **__: pytest.fail("it computed"))
     out = tmp_path / "out"
     out.mkdir()
     (out / "mine.txt").write_text("mine")
-    start = time.perf_counter()
     code, said = said_for(capsys, "run", room, "--out", out)
-    assert time.perf_counter() - start < 0.5
     assert code == 2 and "exists already" in said and "--force" in said
     assert (out / "mine.txt").read_text() == "mine"
 
@@ -134,13 +132,13 @@ def test_force_never_removes_the_drawing(place, room, tmp_path, capsys, monkeypa
     (tmp_path / "below").mkdir()
     monkeypatch.chdir(tmp_path if place == "." else tmp_path / "below")
     code, said = said_for(capsys, "run", room, "--out", place, "--force")
-    assert code == 2 and "--out must not be a folder that holds" in said and room.exists()
+    assert code == 2 and "must not hold" in said and "--force would remove it" in said and room.exists()
 
 
 def test_run_says_at_once_that_a_place_cannot_be_written(room, tmp_path, capsys):
     (tmp_path / "a_file").write_text("mine")
     code, said = said_for(capsys, "run", room, "--out", tmp_path / "a_file" / "out")
-    assert code == 2 and "--out must lie in a folder that can be written" in said
+    assert code == 2 and "must lie where one can write" in said
     assert (tmp_path / "a_file").read_text() == "mine"
 
 
@@ -182,5 +180,5 @@ def test_control_c_says_one_line_and_leaves_nothing(tmp_path):
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=30)
     assert process.returncode == 130
-    assert said == "priorlab: interrupted; nothing was written\n"
+    assert said == "priorlab: interrupted; nothing was left half written\n"
     assert list(tmp_path.iterdir()) == []

@@ -26,6 +26,7 @@ def test_run_writes_the_whole_folder(own):
     out, code = own
     assert code == 0
     assert sorted(path.name for path in out.iterdir()) == [
+        ".priorlab",
         "fastslam.npz",
         "numbers.json",
         "posterior.png",
@@ -133,5 +134,6 @@ def test_force_replaces_what_stands_there(tmp_path):
     out = tmp_path / "out"
     out.mkdir()
     (out / "old.txt").write_text("old")
+    (out / ".priorlab").write_text("made by priorlab")
     assert main(["run", str(tmp_path / "shut.png"), "--out", str(out), "--force"]) == 4
     assert not (out / "old.txt").exists() and (out / "report.html").exists()

@@ -1,6 +1,7 @@
 """Writing leaves the old or the new, never a half, and never takes what is the user's."""
 
 import os
+from pathlib import Path
 
 import pytest
 
@@ -35,17 +36,77 @@ def test_new_folder_does_not_overwrite(tmp_path):
     assert (tmp_path / "out" / "mine.txt").read_text() == "mine"
 
 
-def test_new_folder_replaces_with_force(tmp_path):
-    (tmp_path / "out").mkdir()
-    (tmp_path / "out" / "old.txt").write_text("old")
+def make_own(place):
+    """A folder that priorlab made, with a file in it."""
+    with new_folder(place) as folder:
+        (folder / "old.txt").write_text("old")
+
+
+def test_new_folder_replaces_its_own_with_force(tmp_path):
+    make_own(tmp_path / "out")
     with new_folder(tmp_path / "out", force=True) as folder:
         (folder / "new.txt").write_text("new")
-    assert names(tmp_path) == ["out"] and names(tmp_path / "out") == ["new.txt"]
+    assert names(tmp_path) == ["out"] and names(tmp_path / "out") == [".priorlab", "new.txt"]
+
+
+def test_new_folder_takes_an_empty_place_with_force(tmp_path):
+    (tmp_path / "out").mkdir()
+    with new_folder(tmp_path / "out", force=True) as folder:
+        (folder / "new.txt").write_text("new")
+    assert names(tmp_path / "out") == [".priorlab", "new.txt"]
+
+
+@pytest.mark.parametrize("make", [lambda place: place.write_text("mine"), lambda place: (place / "thesis").mkdir(parents=True)])
+def test_new_folder_never_replaces_what_it_did_not_make(tmp_path, make):
+    make(tmp_path / "out")
+    with (
+        pytest.raises(FileExistsError, match="not a folder that priorlab made"),
+        new_folder(tmp_path / "out", force=True),
+    ):
+        pytest.fail("the block must not run")
+    assert names(tmp_path) == ["out"]
+
+
+@pytest.mark.parametrize("force", [False, True])
+def test_new_folder_leaves_what_came_up_in_the_meantime(tmp_path, force):
+    with pytest.raises(FileExistsError), new_folder(tmp_path / "out", force):
+        (tmp_path / "out").mkdir()
+        (tmp_path / "out" / "mine.txt").write_text("mine")
+    assert names(tmp_path) == ["out"] and names(tmp_path / "out") == ["mine.txt"]
+
+
+def test_new_folder_keeps_the_working_folder_and_what_is_needed(tmp_path, monkeypatch):
+    make_own(tmp_path / "out")
+    for keep, here in (([tmp_path / "out" / "old.txt"], tmp_path), ([], tmp_path / "out")):
+        monkeypatch.chdir(here)
+        with pytest.raises(ValueError, match="--force would remove it"), new_folder(tmp_path / "out", force=True, keep=keep):
+            pytest.fail("the block must not run")
+    assert (tmp_path / "out" / "old.txt").exists()
+
+
+def test_new_folder_puts_the_old_one_back_when_the_rename_fails(tmp_path, monkeypatch):
+    make_own(tmp_path / "out")
+    rename = Path.rename
+
+    def fail_into_place(self, target):
+        if self.name.startswith(".out-") and Path(target).name == "out":
+            raise OSError("disk gone")
+        return rename(self, target)
+
+    with pytest.raises(OSError, match="disk gone"), new_folder(tmp_path / "out", force=True):
+        monkeypatch.setattr(Path, "rename", fail_into_place)
+    assert names(tmp_path) == ["out"] and (tmp_path / "out" / "old.txt").read_text() == "old"
+
+
+def test_new_folder_needs_a_name_and_a_place_to_write(tmp_path):
+    (tmp_path / "file").write_text("a")
+    for place, sentence in (("", "must have a name"), (tmp_path / "file" / "out", "where one can write")):
+        with pytest.raises(ValueError, match=sentence), new_folder(place):
+            pytest.fail("the block must not run")
 
 
 def test_new_folder_keeps_the_old_one_when_forced_work_fails(tmp_path):
-    (tmp_path / "out").mkdir()
-    (tmp_path / "out" / "old.txt").write_text("old")
+    make_own(tmp_path / "out")
     with pytest.raises(RuntimeError, match="fails"), new_folder(tmp_path / "out", force=True):
         raise RuntimeError("fails")
     assert names(tmp_path) == ["out"] and (tmp_path / "out" / "old.txt").read_text() == "old"

@@ -30,7 +30,10 @@ def make_readings(ranges, poses=POSES):
 @pytest.mark.parametrize(
     ("make", "sentence"),
     [
-        (lambda: Drawing(np.zeros((0, 4))), r"grey must be a 2-D image with at least one pixel, got shape \(0, 4\)"),
+        (
+            lambda: Drawing(np.zeros((0, 4), dtype=np.uint8)),
+            r"grey must be a 2-D image with at least one pixel, got shape \(0, 4\)",
+        ),
         (lambda: Drawing(GREY, colour=np.zeros((4, 6))), r"colour must have shape \(4, 6, 3\), got \(4, 6\)"),
         (lambda: Drawing(GREY, metres_per_pixel=0), "metres_per_pixel must be a finite number above 0, got 0"),
         (lambda: Truth(GREY, GREY.T), r"walls and ignore must have one shape, got \(4, 6\) and \(6, 4\)"),
@@ -49,9 +52,9 @@ def make_readings(ranges, poses=POSES):
         (lambda: RangeSensor(p_free=0.2, p_occupied=0.3), "p_free must be above p_occupied, got 0.2 and 0.3"),
         (lambda: RangeSensor(p_free=1), "p_free must lie strictly between 0 and 1, got 1"),
         (lambda: RangeSensor(beyond="wall"), "beyond must be 'thickness', 'hit_cell' or 'all', got 'wall'"),
-        (lambda: Scanner(n_beams=0), "n_beams must be at least 1, got 0"),
+        (lambda: Scanner(n_beams=0), "n_beams must be a whole number of at least 1, got 0"),
         (lambda: Scanner(min_range_m=3, max_range_m=2), r"min_range_m must lie in \[0, max_range_m\), got 3"),
-        (lambda: Scanner(range_noise_m=-1), "range_noise_m must not be negative, got -1"),
+        (lambda: Scanner(range_noise_m=-1), "range_noise_m must be a finite number of at least 0, got -1"),
         (lambda: Scanner(dropout_rate=1.5), "dropout_rate must lie between 0 and 1, got 1.5"),
         (lambda: Odometry((0.1, 0.1, 0.1)), "alphas must be four finite numbers of at least 0"),
         (lambda: Evidence(np.zeros((2, 2)), np.zeros((4, 6)), Grid((4, 6)), RangeSensor()), "total must have the grid's shape"),

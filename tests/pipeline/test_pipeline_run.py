@@ -64,9 +64,9 @@ def test_run_pipeline_takes_the_time_of_every_stage(result):
 
 def test_run_pipeline_tells_progress(plan):
     told = []
-    stop = dataclasses.replace(plan.drawing, grey=np.full((40, 40), 255, dtype=np.uint8))
+    stop = dataclasses.replace(plan.drawing, grey=np.full((60, 60), 255, dtype=np.uint8))
     result = run_pipeline(stop, progress=told.append)
-    assert told == ["corners, doors and walls of the drawing"]
+    assert told == ["corners, doors and walls of the drawing", "  ink"]
     assert not result.has_walls and "no walls were found" in result.stopped and "'ink'" in result.stopped
 
 
@@ -109,3 +109,10 @@ def test_drive_with_prior_never_takes_cells_below_a_pixel():
     drive = drive_with_prior(walls, pl.World(walls.mask, 0.1), tour, None, rng_world, rng_filter)
     assert drive.run.map.grid.cell_size == 1 and drive.score_informed is None
     assert drive.run.ate_m() < 0.3
+
+
+@pytest.mark.parametrize("scale", [1e-9, 0.3, 10.0, 1e9])
+def test_pipeline_refuses_a_scale_without_doors(scale):
+    drawing = pl.Drawing(np.full((500, 600), 255, dtype=np.uint8))
+    with pytest.raises(ValueError, match=r"metres_per_pixel must make a door of 0\.85 m 4 to 500 pixels wide, got"):
+        run_pipeline(drawing, metres_per_pixel=scale)

@@ -71,7 +71,7 @@ def test_explore_is_the_same_for_the_same_seed():
         ([MIDDLE, [34.0, 2, 0]], {}, "survey must stay on the map of 34 x 24 pixels, got x, y = 34, 2 in row 1"),
         ([MIDDLE, [1.0, 5, 0]], {}, "survey must stand in free space, got an obstacle at x, y = 1, 5 in row 1"),
         ([MIDDLE], {"repeats": 0}, "repeats must be at least 1, got 0"),
-        ([MIDDLE], {"noise": RangeNoise(1.0)}, "rng must be a numpy Generator when the sensor has faults, got None"),
+        ([MIDDLE], {"noise": RangeNoise(1.0)}, "rng must be a numpy Generator.*got None"),
     ],
 )
 def test_explore_says_what_is_wrong(survey, keywords, sentence):

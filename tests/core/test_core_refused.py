@@ -1,0 +1,42 @@
+"""Records refuse what is no number, and chance must come as a Generator."""
+
+import numpy as np
+import pytest
+
+import priorlab as pl
+from priorlab.core.checks import check_rng
+
+GRID = pl.Grid((2, 2))
+
+
+@pytest.mark.parametrize(
+    ("make", "sentence"),
+    [
+        (lambda: pl.Drawing(np.ones((3, 3))), "grey must hold uint8 from 0"),
+        (lambda: pl.Drawing(np.ones((3, 3), dtype=bool)), "grey must hold uint8 from 0"),
+        (lambda: pl.Walls(np.full((3, 3), -1)), "labels must be whole numbers from 0 to 255"),
+        (lambda: pl.Walls(np.full((3, 3), np.nan)), "labels must be whole numbers from 0 to 255"),
+        (lambda: pl.Walls(np.zeros((3, 3), dtype=np.uint8), metres_per_pixel=-1), "metres_per_pixel must be"),
+        (lambda: pl.GridMap(np.full((2, 2), np.nan), GRID), "log_odds must be finite numbers, got nan"),
+        (lambda: pl.Evidence(np.full((2, 2), np.nan), np.ones((2, 2)), GRID, pl.RangeSensor()), "total must be finite"),
+        (lambda: pl.Evidence(np.zeros((2, 2)), -np.ones((2, 2)), GRID, pl.RangeSensor()), "looks must not be negative, got -1"),
+        (lambda: pl.Readings([[1, 1, 0]], [[1.0]], [np.nan], pl.RangeSensor(), (2, 2)), "bearings must be one row of finite"),
+        (lambda: pl.Readings([[1, 1, 0]], np.empty((1, 0)), [], pl.RangeSensor(), (2, 2)), "bearings must be one row of finite"),
+        (lambda: pl.Scanner(range_noise_m=float("nan")), "range_noise_m must be a finite number"),
+        (lambda: pl.Scanner(n_beams=2.5), "n_beams must be a whole number"),
+        (lambda: pl.Grid((1000, 1000), 0.01), "cell_size must leave at most 200,000,000 cells"),
+        (lambda: check_rng(0), "rng must be a numpy Generator.*got 0"),
+        (lambda: check_rng(None), "rng must be a numpy Generator.*got None"),
+    ],
+)
+def test_record_refuses(make, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        make()
+
+
+def test_evidence_cannot_lose_what_it_never_had():
+    none = pl.Evidence.none(GRID)
+    one = pl.Evidence(np.ones((2, 2)), np.ones((2, 2)), GRID, pl.RangeSensor())
+    assert (one - one).looks.sum() == 0
+    with pytest.raises(ValueError, match="more was taken away than was there"):
+        none - one
