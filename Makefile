@@ -7,6 +7,8 @@ BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
 OUT    ?= out/demo
 JOBS   ?= 2
+# for make lab; as root in a container: make lab LAB_ARGS=--allow-root
+LAB_ARGS ?=
 
 .DEFAULT_GOAL := help
 # Pictures go to files there; in JupyterLab they go to the page.
@@ -25,7 +27,7 @@ test: $(READY)  ## everything: unit tests, doctests and the notebooks through st
 
 lab: $(READY)  ## open the course in JupyterLab (token on, this machine only)
 	cd notebooks && ../$(BIN)/jupyter lab --ServerApp.ip=127.0.0.1 \
-		--ServerApp.kernel_websocket_connection_class=priorlab.course.prompt_server.PromptConnection 00_start_here.ipynb
+		--ServerApp.kernel_websocket_connection_class=priorlab.course.prompt_server.PromptConnection $(LAB_ARGS) 00_start_here.ipynb
 
 notebooks: $(READY)  ## run all notebooks again, without widget state, and show what changed
 	$(BIN)/python -m priorlab.course.execute notebooks
@@ -70,6 +72,7 @@ clean:  ## remove the environment and what was made
 # pip --python installs into an environment that has no pip of its own: enough where a system's Python lacks ensurepip.
 $(READY): pyproject.toml constraints.txt
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "priorlab needs Python 3.11 or newer, got $$($(PYTHON) --version 2>&1): make PYTHON=python3.11 ..."; exit 2; }
+	@echo "Setting up $(VENV), once; about a minute."
 	$(PYTHON) -m venv --without-pip $(VENV)
 	$(PYTHON) -m pip --python $(BIN)/python install --quiet --disable-pip-version-check --constraint constraints.txt --editable '.[lab,test]'
 	touch $(READY)

@@ -42,7 +42,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run a command; the exit code."""
     given = list(sys.argv[1:] if argv is None else argv)
     arguments = _parser().parse_args(given)
-    arguments.command_line = shlex.join(["priorlab", *given])
+    arguments.command_line = shlex.join(["priorlab", *(Path(word).name if Path(word).is_absolute() else word for word in given)])
     try:
         return int(arguments.act(arguments))
     except KeyboardInterrupt:
@@ -78,7 +78,10 @@ def _parser() -> argparse.ArgumentParser:
 
     demo = commands.add_parser("demo", help="one bundled floor plan all the way; leaves a report")
     demo.add_argument(
-        "--building", default=DEMO_BUILDING, metavar="NAME", help="one of `priorlab buildings` (default %(default)s)"
+        "--building",
+        default=DEMO_BUILDING,
+        metavar="NAME",
+        help="one of `priorlab buildings`, or your own NAME.toml (default %(default)s)",
     )
     _how_to_run(demo, out="out/demo", method="robust")
     demo.set_defaults(act=_demo)
@@ -99,7 +102,7 @@ def _parser() -> argparse.ArgumentParser:
     student.add_argument("out", metavar="OUT", help="folder for the copies")
     student.add_argument("--notebooks", default="notebooks", metavar="DIR", help="the teacher's notebooks (default %(default)s)")
     student.add_argument("--seed", type=_seed, default=0, help="the student's own numbers (default %(default)s)")
-    student.add_argument("--force", action="store_true", help="replace the folder, if priorlab made it")
+    student.add_argument("--force", action="store_true", help="replace what priorlab made there")
     student.set_defaults(act=_student)
 
     buildings = commands.add_parser("buildings", help="list the bundled buildings")
@@ -113,7 +116,7 @@ def _where(command: argparse.ArgumentParser, out: str | None) -> None:
     """Where the results go."""
     words = "folder for the results" + (" (default %(default)s)" if out else "")
     command.add_argument("--out", default=out, required=out is None, metavar="DIR", help=words)
-    command.add_argument("--force", action="store_true", help="replace the folder, if priorlab made it")
+    command.add_argument("--force", action="store_true", help="replace what priorlab made there")
     command.add_argument("--seed", type=_seed, default=0, help="of everything random (default %(default)s)")
 
 
@@ -203,6 +206,13 @@ def summary(result: PipelineResult) -> list[tuple[str, str]]:
         rows.append(("walls", f"{100 * result.walls.mask.mean():.1f} % of the pixels; no truth is known, so no score"))
     if not result.has_walls or not result.extraction.doors:
         rows += [(f"  after {name}", f"{count} left") for name, count in result.extraction.funnel.items()]
+    if result.share_indoors is not None:
+        rows.append(
+            (
+                "closed rooms",
+                f"{100 * result.share_indoors:.0f} % of the space within the walls' outline; the rest is not explored",
+            )
+        )
     if mapping is not None:
         rows.append(("survey", f"{len(mapping.readings)} poses, {mapping.evidence.mean_looks:.2f} looks at a seen cell"))
         if mapping.score_prior and mapping.score_uninformed and mapping.score_informed:

@@ -37,7 +37,7 @@ from priorlab.optimize.pareto import pareto_front
 from priorlab.optimize.sweep import Sweep
 from priorlab.robot.drive import BlockedTourError, drive
 from priorlab.robot.explore import explore
-from priorlab.robot.free_space import LeakError
+from priorlab.robot.free_space import LeakError, find_free_space
 from priorlab.robot.planner import plan_survey, plan_tour
 from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.recording import Run
@@ -62,10 +62,11 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Scale:
-    """Metres per pixel, None when nobody knows, and the sentence that says where they come from."""
+    """Metres per pixel, None when nobody knows, the sentence that says where they come from, and whether it was a guess."""
 
     metres_per_pixel: float | None
     sentence: str
+    assumed: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,6 +133,7 @@ class PipelineResult:
     walls_score : against the truth, when it is known
     prior_map : what the walls make of the prior; None without walls
     mapping, search, drive : the records of chapters 4 to 6
+    share_indoors : of an own drawing, the share of the space within the walls' outline that a robot can drive in
     stopped : the sentence that says why the way ended early
     notes : what else was decided or noticed, in sentences
     seconds : stage -> time taken
@@ -151,6 +153,7 @@ class PipelineResult:
     mapping: Mapping | None = None
     search: Search | None = None
     drive: Drive | None = None
+    share_indoors: float | None = None
     stopped: str | None = None
     notes: tuple[str, ...] = ()
     seconds: dict[str, float] = field(default_factory=dict)
@@ -252,8 +255,11 @@ def run_pipeline(
             with stage("plan", "a survey and a tour through the free space of the walls"):
                 survey = plan_survey(walls, extraction.doors, door_width, sensor.max_range)
                 tour = plan_tour(walls, extraction.doors, door_width)
+                indoors = find_free_space(walls, extraction.doors, door_width).share_indoors
         except LeakError as leak:
-            return replace(result, stopped=str(leak))
+            return replace(result, stopped=f"{leak}; close the gap in the drawing, with a wall or a window, and run it again")
+
+        result = replace(result, share_indoors=indoors)
 
     with stage("map", "prior map, readings and posterior map"):
         mapping = map_with_prior(walls, building, survey, prior, cell_size, sensor or RangeSensor(), truth)
@@ -368,5 +374,7 @@ def find_scale(drawing: Drawing, plan: FloorPlan | None, told: float | None, ext
     return Scale(
         scale,
         f"{scale:.4g} m per pixel, ASSUMED from {n_doors} doors of about {width:.0f} px taken as {DOOR_M:g} m "
-        f"(the sheet would be {width_m:.1f} x {height_m:.1f} m); give --metres-per-pixel when you know it",
+        f"(the sheet would be {width_m:.1f} x {height_m:.1f} m); it may be off by a fifth, so give --metres-per-pixel when you "
+        "know it: a printed dimension in metres / its length in pixels",
+        assumed=True,
     )

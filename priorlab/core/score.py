@@ -63,7 +63,7 @@ class Score:
         return (1 + weight) * self.tp / bottom if bottom else 0.0
 
     def __repr__(self) -> str:
-        at = "" if self.threshold is None else f" at P(empty) <= {self.threshold:g}"
+        at = "" if self.threshold is None else f" at P(empty) {'<' if self.threshold == 0.5 else '<='} {self.threshold:g}"
         return (
             f"Score(precision {self.precision:.3f}, recall {self.recall:.3f}, F{self.beta:g} {self.f_beta:.3f}, "
             f"false positive rate {self.false_positive_rate:.3f}{at})"

@@ -55,7 +55,7 @@ def student_copy(source: str | Path, out: str | Path, force: bool = False, seed:
 
     notebooks = sorted(Path(source).glob("*.ipynb"))
     if not notebooks:
-        raise ValueError(f"the folder of the notebooks must hold at least one .ipynb, got {source}")
+        raise ValueError(f"--notebooks must name a folder with at least one .ipynb, got {source}")
     with new_folder(out, force, keep=[source]) as folder:
         for notebook in notebooks:
             copied = clear_solutions(nbformat.read(notebook, as_version=4))

@@ -53,8 +53,9 @@ class Front:
     def __repr__(self) -> str:
         if not len(self):
             return f"Front({self.name}: empty; {self.note})"
+        priors = "1 prior" if len(self) == 1 else f"{len(self)} priors"
         return (
-            f"Front({self.name}: {len(self)} priors, precision {self.precision.min():.3f} to {self.precision.max():.3f}, "
+            f"Front({self.name}: {priors}, precision {self.precision.min():.3f} to {self.precision.max():.3f}, "
             f"recall {self.recall.min():.3f} to {self.recall.max():.3f}, hypervolume {self.hypervolume:.4f})"
         )
 

@@ -41,7 +41,14 @@ class Range:
         """From end to end."""
         return self.high - self.low
 
+    @property
+    def is_point(self) -> bool:
+        """True when both ends are the same to four digits: a tie, one value on the edge of a cliff."""
+        return f"{self.low:.4g}" == f"{self.high:.4g}"
+
     def __repr__(self) -> str:
+        if self.is_point:
+            return f"{self.low:.4g}"
         return f"{'[' if self.includes_low else '('}{self.low:.4g}, {self.high:.4g}{']' if self.includes_high else ')'}"
 
 
@@ -53,7 +60,8 @@ class Plateau:
     p_space: Range
 
     def __repr__(self) -> str:
-        return f"p_wall in {self.p_wall!r}, p_space in {self.p_space!r}"
+        ranges = {"p_wall": self.p_wall, "p_space": self.p_space}
+        return ", ".join(f"{name} {'=' if r.is_point else 'in'} {r!r}" for name, r in ranges.items())
 
 
 @dataclass(frozen=True, eq=False)

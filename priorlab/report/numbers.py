@@ -21,7 +21,7 @@ def numbers_of(result: PipelineResult) -> dict[str, Any]:
             "reduced_by": result.drawing.reduced_by,
             "metres_per_pixel": scale,
             "scale": result.scale.sentence,
-            "assumed_door_m": DOOR_M if "ASSUMED" in result.scale.sentence else None,
+            "assumed_door_m": DOOR_M if result.scale.assumed else None,
         },
         "walls": {
             "corners": len(extraction.corners),
@@ -36,6 +36,7 @@ def numbers_of(result: PipelineResult) -> dict[str, Any]:
         "mapping": None if result.mapping is None else _mapping_numbers(result.mapping),
         "search": None if result.search is None else _search_numbers(result.search),
         "fastslam": None if result.drive is None else _drive_numbers(result.drive),
+        "share_indoors": result.share_indoors,
         "stopped": result.stopped,
         "notes": list(result.notes),
         "seed": result.seed,

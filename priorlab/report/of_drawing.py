@@ -21,7 +21,8 @@ def drawing_section(result: PipelineResult) -> Section:
     return Section(
         "The drawing",
         (
-            f"An image of {width} x {height} pixels; nothing else is known of the building. Scale: {result.scale.sentence}.",
+            f"An image of {width} x {height} pixels{'' if result.plan else '; nothing else is known of the building'}. "
+            f"Scale: {result.scale.sentence}.",
             *reduced,
         ),
         (
@@ -68,10 +69,12 @@ def walls_section(result: PipelineResult) -> Section:
                 (6.4, 0.32 * len(extraction.funnel) + 0.9),
             )
         )
-    also = " Line weight proposes walls too; the better proposal is taken." if result.method.sources == "both" else ""
+    doors = "both jambs of a door stand on a wall, and from the jambs runs of dark pixels are followed along both axes"
     text = [
-        "Doors give walls away: both jambs of a door stand on a wall, and from the jambs runs of dark pixels are followed "
-        f"along both axes.{also} Method: {result.method.name}.",
+        f"Two things give walls away. Doors: {doors}. Line weight: walls are drawn heavier than the rest. The better proposal is "
+        f"taken. Method: {result.method.name}."
+        if result.method.sources == "both"
+        else f"Doors give walls away: {doors}. Method: {result.method.name}.",
         *extraction.notes,
     ]
     if score is None and result.has_walls:

@@ -67,7 +67,10 @@ def drive_section(result: PipelineResult, drive: Drive) -> Section:
         () if gain is None or run.lost else (f"With the plan F2 is {gain:+.0f} % against the map of the same poses without it.",)
     )
     alone = (
-        "The plan alone is the third line: what the robot adds are changes and furniture, and those count as false "
+        "The plan alone is the third line, and here no map beats it: what the robot adds are changes and furniture, and "
+        "those count as false positives."
+        if drive.score_prior is not None and drive.score_prior.f_beta > drive.score_informed.f_beta
+        else "The plan alone is the third line: what the robot adds are changes and furniture, and those count as false "
         "positives here.",
     )
     scores = {

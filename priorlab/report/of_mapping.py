@@ -46,7 +46,8 @@ def survey_section(result: PipelineResult, mapping: Mapping) -> Section:
         if result.plan is not None
         else (
             "Nobody has surveyed this building, so the robot explores the building AS EXTRACTED: its walls are taken for "
-            "the world."
+            f"the world. Rooms that its walls close hold {100 * (result.share_indoors or 0):.0f} % of the space within their "
+            "outline; the rest is not explored."
         )
     )
     return Section(
@@ -54,8 +55,7 @@ def survey_section(result: PipelineResult, mapping: Mapping) -> Section:
         (
             f"{who} From {len(taken)} known poses it measures ranges up to {taken.sensor.max_range:.0f} pixels. The survey saw "
             f"{100 * evidence.seen.mean():.0f} % of the cells, each {evidence.mean_looks:.2f} times on average. That mean "
-            f"decides what a prior is "
-            "worth: below about three looks it pays, above it can harm.",
+            "decides what a prior is worth: the more often a cell is looked at, the less the plan has to add.",
         ),
         (
             picture(
@@ -120,10 +120,19 @@ def posterior_section(result: PipelineResult, mapping: Mapping) -> Section:
             )
         )
     gain = mapping.gain_percent
+    alone = mapping.score_prior
+    best_alone = (
+        (
+            f"The plan alone scores best, F2 {alone.f_beta:.3f}: the building stands as it was drawn, and every look takes the "
+            "prior off again (the term - n l_0 of eq. 4.11; notebook 04 shows why). A plan that is wrong would turn this round.",
+        )
+        if alone is not None and alone.f_beta > mapping.score_informed.f_beta
+        else ()
+    )
     said = "" if gain is None else f" With the plan F2 is {gain:+.0f} % against the map without it."
     return Section(
         "Posterior map: with and without the plan",
-        (f"The same evidence updates two maps: one started from the plan, one from 0.5 everywhere.{said}", differ),
+        (f"The same evidence updates two maps: one started from the plan, one from 0.5 everywhere.{said}", *best_alone, differ),
         tuple(pictures),
         (
             score_table(

@@ -58,7 +58,8 @@ def headline(result: PipelineResult) -> list[tuple[str, str]]:
         cards.append(
             (
                 f"{mapping.score_uninformed.f_beta:.2f} \u2192 {mapping.score_informed.f_beta:.2f}",
-                "F2 of the map: without \u2192 with the plan",
+                "F2 of the map: without \u2192 with the plan"
+                + (f" (the plan alone: {mapping.score_prior.f_beta:.2f})" if mapping.score_prior else ""),
             )
         )
     elif mapping is not None:

@@ -66,7 +66,7 @@ def test_run_pipeline_tells_progress(plan):
     told = []
     stop = dataclasses.replace(plan.drawing, grey=np.full((60, 60), 255, dtype=np.uint8))
     result = run_pipeline(stop, progress=told.append)
-    assert told == ["corners, doors and walls of the drawing", "  ink"]
+    assert told[:2] == ["corners, doors and walls of the drawing", "  ink"]
     assert not result.has_walls and "no walls were found" in result.stopped and "'ink'" in result.stopped
 
 

@@ -119,7 +119,7 @@ def test_walls_and_drawing_keep_image_axes_y_down(ax):
 
 def test_doors_are_triangles_with_their_open_side(ax):
     door = pl.Door((1, 2), (5, 2), (1, 6))
-    plot.doors([door], pl.Drawing(np.full((9, 9), 255)), ax)
+    plot.doors([door], pl.Drawing(np.full((9, 9), 255, dtype=np.uint8)), ax)
     assert ax.patches[0].get_xy()[:3].tolist() == [[1, 2], [5, 2], [1, 6]]
     assert xy_of(ax.lines[0]).tolist() == [[1, 2], [5, 2]] and ax.lines[0].get_linestyle() == "--"
     assert ax.get_title() == "1 doors"
