@@ -257,7 +257,7 @@ def run_pipeline(
                 tour = plan_tour(walls, extraction.doors, door_width)
                 indoors = find_free_space(walls, extraction.doors, door_width).share_indoors
         except LeakError as leak:
-            return replace(result, stopped=f"{leak}; close the gap in the drawing, with a wall or a window, and run it again")
+            return replace(result, stopped=f"{leak}; draw a wall line across the gap and run it again")
 
         result = replace(result, share_indoors=indoors)
 
