@@ -23,6 +23,12 @@ class Readings:
     bearings : (B,) angles to theta, radians
     sensor : the sensor
     image_shape : (height, width) of the drawing that the poses lie on, pixels
+    valid : (N, B) bool, False where the sensor gave no usable reading: nothing is known there, and the range may be nan;
+        None when all are usable
+
+    >>> sensor = RangeSensor(max_range=3, half_angle=0.1)
+    >>> Readings([[0.5, 0.5, 0.0]], [[2.0, np.nan]], [-0.1, 0.1], sensor, image_shape=(1, 6), valid=[[True, False]])
+    Readings(1 poses x 2 bearings, 50 % met an obstacle, 50 % without a reading)
     """
 
     poses: NDArray[np.float64]
@@ -30,6 +36,7 @@ class Readings:
     bearings: NDArray[np.float64]
     sensor: RangeSensor
     image_shape: tuple[int, int]
+    valid: NDArray[np.bool_] | None = None
 
     def __post_init__(self) -> None:
         poses = check_poses("poses", self.poses)
@@ -39,25 +46,44 @@ class Readings:
             raise ValueError(f"bearings must be one row of finite angles, got {bearings.tolist()}")
         if ranges.shape != (len(poses), len(bearings)):
             raise ValueError(f"ranges must have shape {(len(poses), len(bearings))}, got {ranges.shape}")
-        if np.isnan(ranges).any() or (ranges < 0).any():
-            pose, beam = np.argwhere(np.isnan(ranges) | (ranges < 0))[0]
+        valid = None if self.valid is None else np.asarray(self.valid, dtype=bool)
+        if valid is not None and valid.shape != ranges.shape:
+            raise ValueError(f"valid must have the shape of ranges {ranges.shape}, got {valid.shape}")
+        wrong = np.isnan(ranges) | (ranges < 0) if valid is None else (np.isnan(ranges) | (ranges < 0)) & valid
+        if wrong.any():
+            pose, beam = np.argwhere(wrong)[0]
             raise ValueError(
-                f"ranges must be 0 or more, or inf for no return, got {ranges[pose, beam]:g} at pose {pose}, beam {beam}"
+                f"ranges must be 0 or more, or inf for no return, got {ranges[pose, beam]:g} at pose {pose}, beam {beam}: "
+                "where the sensor gave no reading, valid must be False"
             )
         object.__setattr__(self, "poses", poses)
         object.__setattr__(self, "ranges", ranges)
         object.__setattr__(self, "bearings", bearings)
+        object.__setattr__(self, "valid", valid)
 
     def __len__(self) -> int:
         return len(self.poses)
 
     def __getitem__(self, chosen: slice | NDArray) -> Readings:
         """Some of the readings: `readings[:100]` is the first hundred poses."""
-        return Readings(self.poses[chosen], self.ranges[chosen], self.bearings, self.sensor, self.image_shape)
+        valid = None if self.valid is None else self.valid[chosen]
+        return Readings(self.poses[chosen], self.ranges[chosen], self.bearings, self.sensor, self.image_shape, valid)
+
+    @property
+    def met(self) -> NDArray[np.bool_]:
+        """(N, B) True where an obstacle was met."""
+        met = np.isfinite(self.ranges)
+        return met if self.valid is None else met & self.valid
+
+    @property
+    def share_missing(self) -> float:
+        """Share of the bearings without a usable reading."""
+        return 0.0 if self.valid is None or not self.valid.size else float(1.0 - self.valid.mean())
 
     def __repr__(self) -> str:
-        hits = 100 * np.isfinite(self.ranges).mean() if self.ranges.size else 0.0
-        return f"Readings({len(self)} poses x {len(self.bearings)} bearings, {hits:.0f} % met an obstacle)"
+        hits = 100 * self.met.mean() if self.ranges.size else 0.0
+        missing = f", {100 * self.share_missing:.0f} % without a reading" if self.share_missing else ""
+        return f"Readings({len(self)} poses x {len(self.bearings)} bearings, {hits:.0f} % met an obstacle{missing})"
 
 
 @dataclass(frozen=True, eq=False)

@@ -75,8 +75,8 @@ def readings(taken: Readings, on: GridMap, ax: Axes | None = None, every: int = 
     ax = map(on, ax, title="" if title is None else title)
     some = taken[::every]
     angles = some.poses[:, 2, None] + some.bearings
-    hit = np.isfinite(some.ranges)
-    length = np.where(hit, some.ranges, some.sensor.max_range)
+    hit, known = some.met, some.valid if some.valid is not None else np.isfinite(angles)
+    length = np.where(hit, some.ranges, np.where(known, some.sensor.max_range, 0.0))
     start = np.broadcast_to(some.poses[:, None, :2], (*length.shape, 2))
     end = start + length[..., None] * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
     rays = np.stack([start, end], axis=-2)[:, ::4].reshape(-1, 2, 2)

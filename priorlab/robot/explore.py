@@ -35,8 +35,8 @@ def explore(
     survey : (N, 3) poses x, y, theta; pixels, y up
     sensor : range and opening of the cone; `RangeSensor()` by default
     rng : draws the noise; not needed for exact ranges
-    noise : faults of the sensor (thesis 5.3), in pixels. These readings cannot say "missing": a lost one reads as "nothing
-        within range", which is the harm that drop-outs do to a robot that trusts them
+    noise : faults of the sensor (thesis 5.3), in pixels. A lost reading, and one of an obstacle in the blind zone, is no
+        reading: its range is nan, `valid` is False, and no cell gets evidence from it
     repeats : readings per pose, each with its own noise (thesis 5.3 takes 1 and 3)
 
     Returns
@@ -61,13 +61,14 @@ def explore(
     bearings = bearings_of(sensor)
     angles = poses[:, 2, None] + bearings
     origins = np.repeat(poses[:, :2], len(bearings), axis=0)
-    ranges = cast_rays(building.obstacles, origins, angles.ravel(), sensor.max_range).reshape(angles.shape)
+    reach = sensor.max_range + 6 * noise.deviation  # noise may bring a far obstacle within range
+    ranges = cast_rays(building.obstacles, origins, angles.ravel(), reach).reshape(angles.shape)
     if repeats > 1:
         poses, ranges = np.repeat(poses, repeats, axis=0), np.repeat(ranges, repeats, axis=0)
-    if noise != EXACT:
-        ranges = disturb(ranges, noise, sensor.max_range, rng)
-        ranges[np.isnan(ranges)] = np.inf
-    return Readings(poses, ranges, bearings, sensor, building.obstacles.shape)
+    if noise == EXACT:
+        return Readings(poses, ranges, bearings, sensor, building.obstacles.shape)
+    ranges = disturb(ranges, noise, sensor.max_range, rng)
+    return Readings(poses, ranges, bearings, sensor, building.obstacles.shape, valid=~np.isnan(ranges))
 
 
 def bearings_of(sensor: RangeSensor) -> NDArray[np.float64]:

@@ -4,7 +4,8 @@ A cell is seen when its centre lies inside the cone and not in the shadow behind
 those nearer than the range along their bearing are in front of the obstacle, the others are not. Which cells behind the
 obstacle are still seen is the sensor's `beyond`: "thickness" takes those whose centre lies at most a wall's thickness behind
 the hit (and never less than half a cell, so that the cell that was hit is among them), "hit_cell" only the cell that was hit
-(eq. 6.1), "all" the whole shadow.
+(eq. 6.1), "all" the whole shadow. Along a bearing without a usable reading (`Readings.valid`) nothing is known: no cell whose
+centre lies there is seen, and no pixel there counts.
 """
 
 from __future__ import annotations
@@ -69,11 +70,12 @@ class _Beams:
         self.x, self.y, theta = readings.poses.T
         self.forward = np.stack([np.cos(theta), np.sin(theta)])
         self.bearings = readings.bearings[order]
-        self.ranges = readings.ranges[:, order]
+        known = readings.ranges if readings.valid is None else np.where(readings.valid, readings.ranges, np.nan)
+        self.ranges = known[:, order]  # nan: no reading; no comparison with it is ever true
         self.between = (self.bearings[1:] + self.bearings[:-1]) / 2  # a point belongs to the nearest bearing
 
     def polar(self, reading: NDArray, x: NDArray, y: NDArray) -> tuple[NDArray, NDArray]:
-        """Distance of points from the robot, and the range measured along their bearing."""
+        """Distance of points from the robot, and the range measured along their bearing; nan where there is no reading."""
         dx, dy = x - self.x[reading], y - self.y[reading]
         cos, sin = self.forward[:, reading]
         bearing = np.arctan2(cos * dy - sin * dx, cos * dx + sin * dy)
@@ -136,14 +138,14 @@ def _seen(
     """Which cells of the cone are not in the shadow, by the sensor's reading of "beyond" and their centres' distance."""
     sensor = beams.sensor
     if sensor.beyond == "all":
-        return np.ones(len(reading), dtype=bool)
+        return ~np.isnan(measured)
     if sensor.beyond == "thickness":
         return distance <= measured + max(sensor.wall_thickness, grid.cell_size / 2) + ON_THE_EDGE
     rows, cols = grid.shape
     hit_reading, hit_xy = beams.hits()
     hit_row, hit_col = grid.xy_to_cell(hit_xy.T).T
     hit = np.isin((reading * rows + row) * cols + col, (hit_reading * rows + hit_row) * cols + hit_col)
-    return (distance < measured) | hit
+    return (distance < measured) | (hit & ~np.isnan(measured))
 
 
 def _share_in_front(
@@ -161,7 +163,7 @@ def _share_in_front(
             exists = (pixel_row < bottom[row]) & (pixel_col < right[col])
             distance, measured = beams.polar(reading, pixel_col + 0.5, height - pixel_row - 0.5)
             n_front += exists & (distance < measured)
-            n_pixels += exists
+            n_pixels += exists & ~np.isnan(measured)
     return np.where(n_pixels > 0, n_front / np.maximum(n_pixels, 1), centre_in_front)
 
 

@@ -172,6 +172,18 @@ def test_some_readings_are_readings():
     assert len(readings[:0]) == 0
 
 
+def test_readings_may_be_missing_where_valid_says_so():
+    valid = np.array([[True, True, False], [True, False, False]])
+    readings = dataclasses.replace(make_readings([[1, 2, 0], [4, 5, 6]]), ranges=[[1, np.inf, np.nan], [4, -1, 6]], valid=valid)
+    assert readings.share_missing == 0.5 and readings.met.tolist() == [[True, False, False], [True, False, False]]
+    assert readings[1:].valid.tolist() == [[True, False, False]]
+    assert repr(readings) == "Readings(2 poses x 3 bearings, 33 % met an obstacle, 50 % without a reading)"
+    with pytest.raises(ValueError, match=r"valid must have the shape of ranges \(2, 3\), got \(3,\)"):
+        dataclasses.replace(readings, valid=[True] * 3)
+    with pytest.raises(ValueError, match="got nan at pose 0, beam 2: where the sensor gave no reading, valid must be False"):
+        dataclasses.replace(readings, valid=None)
+
+
 def test_scanner_bearings_go_from_right_to_left():
     assert Scanner(n_beams=3, field_of_view=1.0).bearings.tolist() == [-0.5, 0.0, 0.5]
     assert Scanner(n_beams=1).bearings.tolist() == [0.0]

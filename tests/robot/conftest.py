@@ -25,7 +25,10 @@ def ray_by_boxes(obstacles, x, y, angle, max_range):
 
 
 def cone_by_loops(pose, ranges, bearings, sensor, image_shape, cell_size):
-    """{(row, col): P(empty)} of the cells that one reading sees: decisions 7 to 10 of the method page, cell by cell."""
+    """{(row, col): P(empty)} of the cells that one reading sees: decisions 7 to 10 of the method page, cell by cell.
+
+    A range of None is no reading: nothing is known along that bearing.
+    """
     height, width = image_shape
     rows, cols = math.ceil(height / cell_size - 1e-9), math.ceil(width / cell_size - 1e-9)
     x, y, theta = pose
@@ -37,7 +40,7 @@ def cone_by_loops(pose, ranges, bearings, sensor, image_shape, cell_size):
 
     hits = set()
     for bearing, measured in zip(bearings, ranges, strict=True):
-        if measured <= sensor.max_range:
+        if measured is not None and measured <= sensor.max_range:
             hx = x + (measured + 1e-6) * math.cos(theta + bearing)
             hy = y + (measured + 1e-6) * math.sin(theta + bearing)
             hits.add((rows - 1 - math.floor(hy / cell_size), math.floor(hx / cell_size)))
@@ -45,7 +48,7 @@ def cone_by_loops(pose, ranges, bearings, sensor, image_shape, cell_size):
     for row in range(rows):
         for col in range(cols):
             distance, bearing, measured = look((col + 0.5) * cell_size, (rows - row - 0.5) * cell_size)
-            if distance > sensor.max_range + 1e-9 or abs(bearing) > sensor.half_angle + 1e-9:
+            if distance > sensor.max_range + 1e-9 or abs(bearing) > sensor.half_angle + 1e-9 or measured is None:
                 continue
             behind = {
                 "all": True,
@@ -60,7 +63,8 @@ def cone_by_loops(pose, ranges, bearings, sensor, image_shape, cell_size):
                     in_row = math.floor((up + 0.5) / cell_size) == rows - 1 - row
                     if in_row and math.floor((right + 0.5) / cell_size) == col:
                         d, _, z = look(right + 0.5, up + 0.5)
-                        front, pixels = front + (d < z), pixels + 1
+                        if z is not None:
+                            front, pixels = front + (d < z), pixels + 1
             share = front / pixels if pixels else float(distance < measured)
             seen[row, col] = min(max(share, sensor.p_occupied), sensor.p_free)
     return seen

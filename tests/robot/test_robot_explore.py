@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from priorlab.core.building import Truth, World
+from priorlab.core.grid import Grid
 from priorlab.core.sensor import RangeSensor
+from priorlab.mapping.evidence import gather_evidence
 from priorlab.robot.explore import bearings_of, explore
 from priorlab.robot.range_noise import RangeNoise
 
@@ -54,6 +56,30 @@ def test_repeats_have_noise_of_their_own():
     off = readings.ranges - exact
     assert 0.4 < off.std() < 0.6
     assert not np.allclose(off[0], off[1])
+
+
+def test_explore_has_no_reading_where_one_is_lost():
+    noise = RangeNoise(dropout_rate=0.3)
+    readings = explore(TRUTH, [MIDDLE] * 50, RangeSensor(max_range=60), np.random.default_rng(2), noise)
+    assert 0.25 < readings.share_missing < 0.35
+    assert (np.isnan(readings.ranges) == ~readings.valid).all()
+    exact = explore(TRUTH, [MIDDLE] * 50, RangeSensor(max_range=60))
+    assert exact.valid is None and (readings.ranges == exact.ranges)[readings.valid].all()
+
+
+def test_explore_in_the_blind_zone_has_no_reading_and_frees_nothing():
+    """A wall 15 px ahead: a sensor that is blind below 20 px must not take it for free space up to its range."""
+    blind = explore(TRUTH, [MIDDLE], RangeSensor(max_range=40), np.random.default_rng(0), RangeNoise(min_range=20.0))
+    near = explore(TRUTH, [MIDDLE], RangeSensor(max_range=40)).ranges < 20.0
+    assert near.any() and (blind.valid == ~near).all()
+    ahead = gather_evidence(blind, Grid(ROOM.shape))
+    assert not ahead.looks[ROOM.shape[0] - 1 - 12, 18:].any()
+
+
+def test_explore_measures_by_chance_what_stands_a_little_beyond_the_range():
+    readings = explore(TRUTH, [MIDDLE] * 400, RangeSensor(max_range=14.5), np.random.default_rng(3), RangeNoise(deviation=0.5))
+    ahead = readings.ranges[:, len(readings.bearings) // 2]  # the wall stands at 15
+    assert np.isfinite(ahead).mean() == pytest.approx(0.159, abs=0.06) and ahead[np.isfinite(ahead)].max() <= 14.5
 
 
 def test_explore_is_the_same_for_the_same_seed():

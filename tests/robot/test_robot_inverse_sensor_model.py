@@ -1,5 +1,6 @@
 """Eq. 4.22 against a loop over every pixel of every cell."""
 
+import dataclasses
 import math
 
 import numpy as np
@@ -41,6 +42,47 @@ def test_observe_equals_loops(speckled, cone_oracle, seed, cell_size, beyond, ha
     for k, pose in enumerate(poses):
         expected = cone_oracle(pose, readings.ranges[k], readings.bearings, sensor, obstacles.shape, cell_size)
         assert found.get(k, {}) == pytest.approx(expected, abs=1e-12)
+
+
+@settings(max_examples=40)
+@given(
+    st.integers(0, 2**32 - 1),
+    st.sampled_from([0.5, 1, 3, 2.5]),
+    st.sampled_from(["thickness", "hit_cell", "all"]),
+    st.floats(0.1, 0.9),
+)
+def test_observe_without_some_readings_equals_loops(speckled, cone_oracle, seed, cell_size, beyond, share):
+    obstacles, poses = speckled(seed, n_places=3)
+    sensor = RangeSensor(max_range=7, beyond=beyond, wall_thickness=2)
+    taken = explore(Truth(obstacles, obstacles & False), poses, sensor)
+    valid = np.random.default_rng(seed).random(taken.ranges.shape) < share
+    ranges = np.where(valid, taken.ranges, np.nan)
+    readings = Readings(poses, ranges, taken.bearings, sensor, obstacles.shape, valid)
+    found = looks_of(readings, Grid(obstacles.shape, cell_size))
+    for k, pose in enumerate(poses):
+        known = [z if ok else None for z, ok in zip(taken.ranges[k], valid[k], strict=True)]
+        expected = cone_oracle(pose, known, readings.bearings, sensor, obstacles.shape, cell_size)
+        assert found.get(k, {}) == pytest.approx(expected, abs=1e-12)
+
+
+def test_what_an_invalid_range_says_does_not_matter(speckled):
+    """The range under valid = False may be anything: no cell gets evidence from it."""
+    obstacles, poses = speckled(7)
+    taken = explore(Truth(obstacles, obstacles & False), poses, RangeSensor(max_range=7))
+    valid = np.arange(taken.ranges.size).reshape(taken.ranges.shape) % 3 > 0
+    grid = Grid(obstacles.shape, 2)
+    said = [
+        looks_of(Readings(poses, np.where(valid, taken.ranges, lie), taken.bearings, taken.sensor, obstacles.shape, valid), grid)
+        for lie in (np.nan, np.inf, 0.0, -1.0)
+    ]
+    assert said[0] and all(one == said[0] for one in said)
+
+
+def test_a_pose_without_any_reading_sees_nothing():
+    readings = Readings([[2.5, 2.5, 0.0]], [[np.nan]], [0.0], RangeSensor(), (9, 9), valid=[[False]])
+    for beyond in ("thickness", "hit_cell", "all"):
+        blind = dataclasses.replace(readings, sensor=RangeSensor(beyond=beyond))
+        assert all(len(looks.cell) == 0 for looks in observe(blind, Grid((9, 9), 2)))
 
 
 @pytest.mark.parametrize("heading", range(4))

@@ -36,12 +36,16 @@ def test_dropouts_are_missing():
     assert np.isnan(noisy(dropout_rate=0.2)).mean() == pytest.approx(0.2, abs=0.02)
 
 
-def test_blind_zone_and_far_end_are_no_return():
-    assert noisy([0.39, 0.4, 3.0, 3.01], min_range=0.4).tolist() == [np.inf, 0.4, 3.0, np.inf]
+def test_blind_zone_is_no_reading_and_far_end_no_return():
+    ranges = np.array([0.39, 0.4, 3.0, 3.01])
+    np.testing.assert_array_equal(noisy(ranges, min_range=0.4), [np.nan, 0.4, 3.0, np.inf])
+    scanned = disturb(ranges, RangeNoise(min_range=0.4), 3.0, np.random.default_rng(0), blind=np.inf)
+    np.testing.assert_array_equal(scanned, [np.inf, 0.4, 3.0, np.inf])
 
 
 def test_noise_never_makes_a_range_negative():
-    assert (noisy(np.full(1000, 0.01), deviation=1.0) >= 0).all()
+    near = noisy(np.full(1000, 0.01), deviation=1.0)
+    assert (near >= 0).all() and (near == 0).mean() == pytest.approx(0.5, abs=0.05)
 
 
 def test_one_fault_changes_and_the_others_stay():
