@@ -37,7 +37,7 @@ def floor_plan_names() -> list[str]:
     >>> "office_wing" in floor_plan_names()
     True
     """
-    return sorted(path.stem for path in data_folder().glob("*.toml"))
+    return sorted(path.stem for path in data_folder().glob("*.toml") if not path.stem.startswith("suite_"))
 
 
 def load_floor_plan(name: str | Path, survey_spacing: float | None = None, tour_share: float = 1.0) -> FloorPlan:
