@@ -6,11 +6,12 @@ import numpy as np
 
 from priorlab.core.grid import Grid
 from priorlab.core.log_odds import log_odds
+from priorlab.core.progress import Progress
 from priorlab.core.readings import Evidence, Readings
 from priorlab.robot.inverse_sensor_model import observe
 
 
-def gather_evidence(readings: Readings, grid: Grid) -> Evidence:
+def gather_evidence(readings: Readings, grid: Grid, progress: Progress | None = None) -> Evidence:
     """Sum what readings say about every cell of a grid.
 
     For each cell, S = sum of logit(InverseSensorModel) over its readings (eq. 2.15, 4.22) and n = their number. The order of
@@ -20,6 +21,7 @@ def gather_evidence(readings: Readings, grid: Grid) -> Evidence:
     ----------
     readings : ranges from known poses, in pixels; they carry their sensor
     grid : cells of any size over the same drawing, usually `prior_map.grid`
+    progress : called with the readings done and the readings to do
 
     Returns
     -------
@@ -39,17 +41,17 @@ def gather_evidence(readings: Readings, grid: Grid) -> Evidence:
     >>> evidence.total.round(1).tolist()
     [[2.2, 2.2, -2.2, -2.2, 0.0, 0.0]]
     """
-    _check_fit(readings, grid)
+    check_fit(readings, grid)
     rows, cols = grid.shape
     total = np.zeros(rows * cols)
     looks = np.zeros(rows * cols, dtype=np.int64)
-    for seen in observe(readings, grid):
+    for seen in observe(readings, grid, progress):
         np.add.at(total, seen.cell, log_odds(seen.p_empty))  # costs what was seen, however large the map
         np.add.at(looks, seen.cell, 1)
     return Evidence(total.reshape(rows, cols), looks.reshape(rows, cols), grid, readings.sensor)
 
 
-def _check_fit(readings: Readings, grid: Grid) -> None:
+def check_fit(readings: Readings, grid: Grid) -> None:
     """Say when readings and grid do not belong to one drawing."""
     if tuple(readings.image_shape) != grid.image_shape:
         raise ValueError(f"readings and grid must have one image shape, got {tuple(readings.image_shape)} and {grid.image_shape}")

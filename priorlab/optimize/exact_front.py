@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.measures import Measure, f_beta_of, share
 from priorlab.optimize.front import Front, non_dominated
-from priorlab.optimize.measures import Measure, f_beta_of, share
 from priorlab.optimize.plateaus import Pieces, Plateau
 
 _PAIRS = 4_000_000

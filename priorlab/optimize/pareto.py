@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.checks import check_rng
+from priorlab.core.measures import share
 from priorlab.optimize.experiment import Experiment
 from priorlab.optimize.front import BOUNDS, FLOOR, Front, non_dominated
-from priorlab.optimize.measures import share
 from priorlab.optimize.sweep import Sweep
 
 _LEAST = 1e-6

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.log_odds import log_odds, probability
+from priorlab.core.measures import Measure
 from priorlab.core.score import Score
 from priorlab.optimize.exact_front import Best, best_priors, exact_front
 from priorlab.optimize.front import BOUNDS, FLOOR, Front
-from priorlab.optimize.measures import Measure
 from priorlab.optimize.plateaus import Pieces, pieces_of
 from priorlab.optimize.steps import FLAT, Steps
 from priorlab.optimize.table import Table

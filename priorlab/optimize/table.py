@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.optimize.measures import Measure, f_beta_of, share
+from priorlab.core.measures import Measure, f_beta_of, share
 
 
 @dataclass(frozen=True, eq=False)

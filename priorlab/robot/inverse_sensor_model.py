@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.grid import Grid
+from priorlab.core.progress import Progress
 from priorlab.core.readings import Readings
 from priorlab.core.sensor import RangeSensor
 
@@ -46,8 +47,11 @@ def inverse_sensor_model(n_front: ArrayLike, n_pixels: ArrayLike, sensor: RangeS
     return np.clip(np.asarray(n_front) / np.asarray(n_pixels), sensor.p_occupied, sensor.p_free)
 
 
-def observe(readings: Readings, grid: Grid) -> Iterator[Looks]:
-    """What readings say about the cells of `grid`, a batch of readings at a time, in their order; each pair occurs once."""
+def observe(readings: Readings, grid: Grid, progress: Progress | None = None) -> Iterator[Looks]:
+    """What readings say about the cells of `grid`, a batch of readings at a time, in their order; each pair occurs once.
+
+    `progress` is called with the readings done and the readings to do.
+    """
     rows, cols = grid.shape
     reach = readings.sensor.max_range / grid.cell_size
     batch = max(1, int(CANDIDATES_AT_ONCE // min((2 * reach + 2) ** 2, rows * cols)))
@@ -59,6 +63,8 @@ def observe(readings: Readings, grid: Grid) -> Iterator[Looks]:
         reading, row, col, in_front = reading[seen], row[seen], col[seen], (distance < measured)[seen]
         share = in_front if grid.cell_size == 1 else _share_in_front(beams, reading, row, col, in_front, grid)
         yield Looks(first + reading, row * cols + col, inverse_sensor_model(share, 1.0, readings.sensor))
+        if progress:
+            progress(min(first + batch, len(readings)), len(readings))
 
 
 class _Beams:
