@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -9,6 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.drawing import Door
+from priorlab.drawing.method import Method
+from priorlab.drawing.preprocessing import Sheet
 
 TESTS = (
     "connectivity",
@@ -26,6 +29,30 @@ TESTS = (
 """Names of the tests, in their order. A candidate's reason is the position of the test that it failed; -1 = a door."""
 
 DOOR = -1
+"""Reason of a candidate that is a door."""
+
+
+def asked_tests(method: Method) -> tuple[str, ...]:
+    """The tests of `TESTS` that can reject under a method, in their order.
+
+    >>> from priorlab.drawing.method import THESIS
+    >>> asked_tests(THESIS)
+    ('connectivity', 'geometry', 'dark share', 'overlap', 'outer walls')
+    """
+    can_reject = {
+        "connectivity": True,
+        "geometry": True,
+        "orientation": method.max_tilt < 45,
+        "symbol": method.min_leaf > 0 or method.min_arc > 0,
+        "open side": method.max_open_ink < 1,
+        "jamb support": method.min_support > 0,
+        "dark share": method.max_dark < 1,
+        "overlap": method.max_overlap < 1,
+        "size mode": method.size_mode_factor is not None,
+        "kind": method.one_kind,
+        "outer walls": method.drop_on_outer_walls,
+    }
+    return tuple(test for test in TESTS if can_reject[test])
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +66,8 @@ class DoorSearch:
     candidates : (K, 3) indices of corners: the tip, and the two ends of the side that is open
     reasons : (K,) position in `TESTS` of the test that a candidate failed, `DOOR` for a door
     doors : the doors
+    sheet : the drawing made ready, whose pixels may be finer
+    method : how it was read
     """
 
     corners: NDArray[np.float64]
@@ -46,14 +75,29 @@ class DoorSearch:
     candidates: NDArray[np.int64]
     reasons: NDArray[np.int8]
     doors: tuple[Door, ...]
+    sheet: Sheet
+    method: Method
+
+    @property
+    def tests(self) -> tuple[str, ...]:
+        """The tests that were asked, in their order."""
+        return asked_tests(self.method)
+
+    @property
+    def n_triples(self) -> int:
+        """How many unique combinations of three corners there are, nCr = n! / (r! (n - r)!) of 3.3.1 with r = 3."""
+        return math.comb(len(self.corners), 3)
 
     @property
     def funnel(self) -> Mapping[str, int]:
-        """How many candidates each test leaves, in order; first all wedges of two connected sides."""
+        """How many candidates each test leaves, in order; first all wedges of two connected sides.
+
+        Tests that are switched off under the method are left out.
+        """
         left = {"wedges": len(self.candidates)}
         alive = np.ones(len(self.reasons), dtype=bool)
-        for position, name in enumerate(TESTS):
-            alive &= self.reasons != position
+        for name in self.tests:
+            alive &= self.reasons != TESTS.index(name)
             left[name] = int(alive.sum())
         return left
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.drawing import Door, Drawing, Walls
-from priorlab.drawing.candidates import TESTS, DoorSearch
+from priorlab.drawing.candidates import DoorSearch
 from priorlab.drawing.corners import corners_of
 from priorlab.drawing.doors import search_doors
 from priorlab.drawing.method import ROBUST, Method
@@ -132,7 +132,7 @@ def _lost_at(sheet: Sheet, search: DoorSearch, method: Method) -> str:
     if search.doors or method.sources == "both":
         return "walls"
     left = search.funnel
-    return next((name for name in ("wedges", *TESTS) if left[name] == 0), "walls")
+    return next((name for name in left if left[name] == 0), "walls")
 
 
 def _notes(
@@ -149,7 +149,7 @@ def _notes(
         notes.append(f"{name} is small ({max(drawing.shape)} px): it was worked on at {sheet.scale} times its size.")
     if not doors.doors:
         left = doors.funnel
-        last = next((test for test in ("wedges", *TESTS) if left[test] == 0), "corners")
+        last = next((test for test in left if left[test] == 0), "corners")
         notes.append(f"No door was found: of {len(doors.corners)} corners and {left['wedges']} candidates none passed '{last}'.")
     if lost_at is not None:
         seeds = "no door to grow walls from" if method.sources == "doors" else "no piece of ink looks like a wall"

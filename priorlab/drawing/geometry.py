@@ -39,8 +39,22 @@ def angles_deg(sides: ArrayLike) -> NDArray[np.float64]:
     return np.asarray(np.degrees(np.arccos(np.clip(np.nan_to_num(np.stack(cosines, axis=-1), nan=1.0), -1, 1))))
 
 
+def nearest_to_equal(sides: ArrayLike, rounding: bool = True) -> NDArray[np.float64]:
+    """Shorter over longer of the two sides that are most alike; 1 where two are equal in whole pixels (eq. 3.4).
+
+    >>> nearest_to_equal([[10.2, 10.4, 3], [10, 8, 6]]).tolist()
+    [1.0, 0.8]
+    """
+    lengths = np.asarray(sides, dtype=np.float64)
+    other = np.roll(lengths, -1, axis=-1)
+    ratio = np.minimum(lengths, other) / np.maximum(np.maximum(lengths, other), 1e-12)
+    if rounding:
+        ratio = np.where(np.ceil(lengths) == np.ceil(other), 1.0, ratio)  # eq. 3.4
+    return np.asarray(ratio.max(axis=-1))
+
+
 def equal_sides(sides: ArrayLike, ratio: float = 0.9, rounding: bool = True) -> NDArray[np.bool_]:
-    """True where at least two sides are about equal.
+    """True where at least two sides are about equal (eq. 3.3).
 
     Equal in whole pixels (eq. 3.4), or min/max above `ratio` for at least one pair (eq. 3.5; as printed it holds a ratio
     and its inverse, so that it would always be true).
@@ -48,12 +62,7 @@ def equal_sides(sides: ArrayLike, ratio: float = 0.9, rounding: bool = True) -> 
     >>> equal_sides([[10.2, 10.4, 3], [10, 9.2, 3], [10, 8, 6]], rounding=False).tolist()
     [True, True, False]
     """
-    lengths = np.asarray(sides, dtype=np.float64)
-    other = np.roll(lengths, -1, axis=-1)
-    equal = np.minimum(lengths, other) > ratio * np.maximum(lengths, other)  # eq. 3.5
-    if rounding:
-        equal |= np.ceil(lengths) == np.ceil(other)  # eq. 3.4
-    return np.asarray(equal.any(axis=-1))
+    return np.asarray(nearest_to_equal(sides, rounding) > ratio)  # eq. 3.5
 
 
 def passes_geometry(triangles: ArrayLike, method: Method = ROBUST) -> NDArray[np.bool_]:

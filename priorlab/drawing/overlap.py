@@ -53,12 +53,18 @@ def shared_area(one: ArrayLike, other: ArrayLike) -> float:
     return float(common / smaller) if smaller > 0 else 0.0
 
 
-def without_overlap(triangles: NDArray[np.float64], max_overlap: float) -> NDArray[np.bool_]:
-    """Which triangles stay when each is compared with those already kept, in the order given: (K,) bool."""
-    keep = np.zeros(len(triangles), dtype=bool)
+def overlap_with_kept(triangles: NDArray[np.float64], max_overlap: float) -> NDArray[np.float64]:
+    """Largest area that each triangle shares with one kept before it, in the order given: (K,) shares of the smaller one.
+
+    A triangle is kept when this is at most `max_overlap`.
+    """
+    shared = np.zeros(len(triangles))
     low, high = triangles.min(axis=1), triangles.max(axis=1)
     for index in range(len(triangles)):
-        kept = np.flatnonzero(keep)
+        kept = np.flatnonzero(shared[:index] <= max_overlap)
         boxes_meet = (low[kept] < high[index]).all(axis=1) & (high[kept] > low[index]).all(axis=1)
-        keep[index] = all(shared_area(triangles[index], triangles[k]) <= max_overlap for k in kept[boxes_meet])
-    return keep
+        for other in kept[boxes_meet]:
+            shared[index] = max(shared[index], shared_area(triangles[index], triangles[other]))
+            if shared[index] > max_overlap:
+                break
+    return shared

@@ -93,8 +93,8 @@ def read_symbols(lines: NDArray[np.bool_], walls: NDArray[np.bool_], triangles: 
     return Symbols(**picked)
 
 
-def supported(symbols: Symbols, least: float, pair_reach: float = 0.15) -> NDArray[np.bool_]:
-    """Where both jambs stand at a wall; the strike of a double door's leaf stands at the other leaf's strike instead.
+def meets_other_leaf(symbols: Symbols, least: float, pair_reach: float = 0.15) -> NDArray[np.bool_]:
+    """Where the strike stands at no wall but at the strike of a leaf that comes from the other side: a double door.
 
     Parameters
     ----------
@@ -102,10 +102,8 @@ def supported(symbols: Symbols, least: float, pair_reach: float = 0.15) -> NDArr
     least : share of wall ink that counts as a wall
     pair_reach : two strikes are one within this share of the door's width
     """
-    hung = symbols.hinge_support >= least
-    alone = hung & (symbols.strike_support >= least)
-    half = np.flatnonzero(hung & ~alone & symbols.has_arc)
-    paired = np.zeros_like(alone)
+    half = np.flatnonzero((symbols.hinge_support >= least) & (symbols.strike_support < least) & symbols.has_arc)
+    paired = np.zeros(len(symbols.leaf), dtype=bool)
     if half.size:
         strike, hinge, width = symbols.strike[half], symbols.hinge[half], symbols.width[half]
         apart = np.abs(strike[:, None, :] - strike[None, :, :]).max(axis=2)
@@ -113,21 +111,23 @@ def supported(symbols: Symbols, least: float, pair_reach: float = 0.15) -> NDArr
         opposite = out @ out.T < -0.9
         meet = opposite & (apart <= pair_reach * np.minimum(width[:, None], width[None, :]))
         paired[half] = meet.any(axis=1)
-    return np.asarray(alone | paired)
+    return paired
 
 
 def jamb_support(walls: NDArray[np.bool_], jamb: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
     """(K,) share of wall ink in a short stretch beyond each jamb, away from the other; the best of five parallel lines."""
+    return np.asarray(_look_up(walls, jamb_points(jamb, other)).mean(axis=2).max(axis=1))
+
+
+def jamb_points(jamb: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(K, 5, 12, 2) points of five parallel lines that leave each jamb, away from the other."""
     along = other - jamb
     length = np.maximum(np.hypot(along[:, 0], along[:, 1]), 1e-9)[:, None]
     out = -along / length
     side = np.stack([-out[:, 1], out[:, 0]], axis=1)
     reach = np.linspace(0.0, 1.0, 12)[None, :] * np.maximum(4.0, 0.10 * length) + 1.0
-    shares = []
-    for shift in (-2, -1, 0, 1, 2):
-        start = jamb + shift * side
-        shares.append(_look_up(walls, start[:, None, :] + reach[..., None] * out[:, None, :]).mean(axis=1))
-    return np.max(shares, axis=0)
+    lines = [(jamb + shift * side)[:, None, :] + reach[..., None] * out[:, None, :] for shift in (-2, -1, 0, 1, 2)]
+    return np.stack(lines, axis=1)
 
 
 def is_box(lines: NDArray[np.bool_], symbols: Symbols, least: float = 0.8) -> NDArray[np.bool_]:
@@ -144,12 +144,12 @@ def is_box(lines: NDArray[np.bool_], symbols: Symbols, least: float = 0.8) -> ND
     for k in range(3):
         one, other = vertices[(k + 1) % 3], vertices[(k + 2) % 3]
         fourth = one + other - vertices[k]  # completes the parallelogram
-        sides = [_look_up(lines, _between(end, fourth)).mean(axis=1) for end in (one, other)]
+        sides = [_look_up(lines, points_between(end, fourth)).mean(axis=1) for end in (one, other)]
         boxed |= np.minimum(*sides) >= least
     beyond = symbols.tip + 0.3 * (symbols.tip - symbols.hinge)
     crossing = symbols.tip + 0.3 * (symbols.tip - symbols.strike)
     for end in (beyond, crossing):
-        boxed |= _look_up(lines, _between(symbols.tip, end, 0.2)).mean(axis=1) >= least
+        boxed |= _look_up(lines, points_between(symbols.tip, end, 0.2)).mean(axis=1) >= least
     return boxed
 
 
@@ -161,23 +161,23 @@ def _measure(lines: NDArray[np.bool_], walls: NDArray[np.bool_], tip: NDArray, h
         hinge=hinge,
         strike=strike,
         tip=tip,
-        leaf=_look_up(lines, _between(hinge, tip)).mean(axis=1),
-        arc=_look_up(lines, _arc(hinge, tip, strike)).mean(axis=1),
-        chord=_look_up(lines, _between(tip, strike)).mean(axis=1),
+        leaf=_look_up(lines, points_between(hinge, tip)).mean(axis=1),
+        arc=_look_up(lines, arc_points(hinge, tip, strike)).mean(axis=1),
+        chord=_look_up(lines, points_between(tip, strike)).mean(axis=1),
         equal=np.minimum(leaf_length, open_length) / np.maximum(np.maximum(leaf_length, open_length), 1e-9),
-        open_ink=_look_up(lines, _between(hinge, strike, 0.12)).mean(axis=1),
+        open_ink=_look_up(lines, points_between(hinge, strike, 0.12)).mean(axis=1),
         hinge_support=jamb_support(walls, hinge, strike),
         strike_support=jamb_support(walls, strike, hinge),
     )
 
 
-def _between(start: NDArray, end: NDArray, margin: float = 0.05) -> NDArray:
+def points_between(start: NDArray, end: NDArray, margin: float = 0.05) -> NDArray:
     """(K, N_SAMPLES, 2) points from start to end, a margin left out at both ends."""
     share = np.linspace(margin, 1 - margin, N_SAMPLES)[None, :, None]
     return start[:, None, :] + share * (end - start)[:, None, :]
 
 
-def _arc(centre: NDArray, start: NDArray, end: NDArray) -> NDArray:
+def arc_points(centre: NDArray, start: NDArray, end: NDArray) -> NDArray:
     """(K, N_SAMPLES, 2) points on the shorter arc from start to end round the centre; the radius changes evenly."""
     first, last = start - centre, end - centre
     begin = np.arctan2(first[:, 1], first[:, 0])

@@ -1,0 +1,247 @@
+"""The tests that decide about doors, each as measures with bounds: the search and its explanation ask the same ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.drawing.geometry import angles_deg, nearest_to_equal, side_lengths
+from priorlab.drawing.method import Method
+from priorlab.drawing.outer_walls import extreme_corners
+from priorlab.drawing.overlap import dark_share, overlap_with_kept
+from priorlab.drawing.preprocessing import Sheet
+from priorlab.drawing.symbol import Symbols, is_box, meets_other_leaf, read_symbols
+
+SURE_SUPPORT = 0.9
+"""Share of wall ink beyond both jambs of a door without an arc."""
+
+SURE_INK = 0.9
+"""Share of ink along both sides of a door without an arc."""
+
+SURE_OPEN = 0.1
+"""Share of ink that the open side of a door without an arc stays below."""
+
+SLACK_SHARE = 0.001
+"""Ink counts as on a line of a symbol within this share of M, and at least within a pixel."""
+
+FEWEST_FOR_A_MODE = 3
+"""Doors that must agree on a size before others are dropped for theirs."""
+
+
+@dataclass(frozen=True)
+class Measure:
+    """One number of every candidate, and the bounds that a door keeps.
+
+    Parameters
+    ----------
+    name : what is measured
+    values : (K,)
+    at_least, at_most : bounds, one for all or (K,); None where there is none
+    strict : the bounds themselves are outside
+    """
+
+    name: str
+    values: NDArray[np.float64]
+    at_least: float | NDArray[np.float64] | None = None
+    at_most: float | NDArray[np.float64] | None = None
+    strict: bool = False
+
+    @property
+    def passed(self) -> NDArray[np.bool_]:
+        """(K,) True within the bounds."""
+        within = np.ones(len(self.values), dtype=bool)
+        if self.at_least is not None:
+            within &= (self.values > self.at_least) if self.strict else (self.values >= self.at_least)
+        if self.at_most is not None:
+            within &= (self.values < self.at_most) if self.strict else (self.values <= self.at_most)
+        return within
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What candidates are held against, in working pixels.
+
+    Parameters
+    ----------
+    sheet : the drawing made ready
+    method : the bounds
+    corners : (N, 2) x, y
+    connected : (N, N) bool
+    """
+
+    sheet: Sheet
+    method: Method
+    corners: NDArray[np.float64]
+    connected: NDArray[np.bool_]
+
+    @cached_property
+    def widened(self) -> NDArray[np.bool_]:
+        """All ink, a little wider: corners lie a little beside it."""
+        side = 2 * max(1, round(SLACK_SHARE * self.sheet.long_side)) + 1
+        return cv2.dilate(self.sheet.lines.astype(np.uint8), np.ones((side, side), np.uint8)).astype(bool)
+
+    @property
+    def longest(self) -> float:
+        """Longest open side of a door."""
+        return self.method.max_side_share * float(np.sqrt(self.sheet.lines.size))
+
+
+@dataclass(frozen=True, eq=False)
+class Shortlist:
+    """Candidates that are still in, (K, 3) corners: the tip and the two ends of the open side."""
+
+    scene: Scene
+    triples: NDArray[np.int64]
+
+    @property
+    def triangles(self) -> NDArray[np.float64]:
+        """(K, 3, 2) vertices in working pixels."""
+        return self.scene.corners[self.triples]
+
+    @cached_property
+    def symbols(self) -> Symbols:
+        """The triangles read as doors."""
+        return read_symbols(self.scene.widened, self.scene.sheet.walls, self.triangles)
+
+    def __len__(self) -> int:
+        return len(self.triples)
+
+    def __getitem__(self, keep: NDArray[np.bool_] | NDArray[np.int64]) -> Shortlist:
+        fewer = replace(self, triples=self.triples[keep])
+        if "symbols" in self.__dict__:
+            fewer.__dict__["symbols"] = self.symbols[keep]
+        return fewer
+
+
+def connectivity(some: Shortlist) -> tuple[Measure, ...]:
+    """Two sides of a door are connected, the third is open (algorithm 3.1)."""
+    a, b, c = some.triples.T
+    connected = some.scene.connected
+    n_sides = connected[a, b].astype(float) + connected[b, c] + connected[c, a]
+    return (Measure("connected sides", n_sides, 2, 2),)
+
+
+def geometry(some: Shortlist) -> tuple[Measure, ...]:
+    """Two sides are about equal (eq. 3.3-3.5), no angle is too large or too small, the open side fits a door."""
+    method, sides = some.scene.method, side_lengths(some.triangles)
+    angles, alike = angles_deg(sides), nearest_to_equal(sides, method.rounding)
+    bounds = method.min_largest_angle - 1e-9, method.max_largest_angle
+    return (
+        Measure("open side, px", sides[:, 1], method.min_side, some.scene.longest),
+        Measure("ratio of the two sides most alike", alike, method.isosceles_ratio, strict=True),
+        Measure("largest angle, degrees", angles.max(axis=1), *bounds),
+        Measure("smallest angle, degrees", angles.min(axis=1), max(method.min_angle, 1e-3)),
+    )
+
+
+def orientation(some: Shortlist) -> tuple[Measure, ...]:
+    """The open side lies along an axis (eq. 3.15)."""
+    across = np.abs(some.triangles[:, 1] - some.triangles[:, 2])
+    tilt = np.degrees(np.arctan2(across.min(axis=1), across.max(axis=1)))
+    return (Measure("tilt of the open side, degrees", tilt, None, some.scene.method.max_tilt),)
+
+
+def symbol(some: Shortlist) -> tuple[Measure, ...]:
+    """There is ink where a leaf and its swing would be, and the leaf fits the opening."""
+    method, seen = some.scene.method, some.symbols
+    boxed = is_box(some.scene.widened, seen) & ~seen.has_arc
+    return (
+        Measure("ink along the leaf", seen.leaf, method.min_leaf),
+        Measure("ink along the arc or chord", seen.swing, method.min_arc),
+        Measure("shorter over longer of leaf and open side", seen.equal, method.isosceles_ratio - 0.1, strict=True),
+        Measure("lines that make it a box", boxed.astype(float), None, 0),
+    )
+
+
+def open_side(some: Shortlist) -> tuple[Measure, ...]:
+    """The side that people walk through is white."""
+    return (Measure("ink on the open side", some.symbols.open_ink, None, some.scene.method.max_open_ink),)
+
+
+def jamb_support(some: Shortlist) -> tuple[Measure, ...]:
+    """Both jambs stand at walls, or the strike at another leaf's; a door without an arc must be surer of all it has."""
+    least, seen = some.scene.method.min_support, some.symbols
+    at_strike = np.where(meets_other_leaf(seen, least), 1.0, seen.strike_support)
+    arc = seen.has_arc
+    unsure = np.where(arc, 0.0, 1.0)
+    return (
+        Measure("wall beyond the hinge", seen.hinge_support, np.where(arc, least, np.maximum(least, SURE_SUPPORT))),
+        Measure("wall or leaf beyond the strike", at_strike, np.where(arc, least, np.maximum(least, SURE_SUPPORT))),
+        Measure("ink along leaf and chord, without an arc", np.minimum(seen.leaf, seen.chord), SURE_INK * unsure),
+        Measure("ink on the open side, without an arc", seen.open_ink, None, np.where(arc, np.inf, SURE_OPEN), strict=True),
+    )
+
+
+def dark(some: Shortlist) -> tuple[Measure, ...]:
+    """Less than 40 % of the inside is dark (3.3.1, first check)."""
+    shares = np.array([dark_share(some.scene.sheet.lines, triangle) for triangle in some.triangles])
+    return (Measure("share of ink inside", shares, None, some.scene.method.max_dark, strict=True),)
+
+
+def overlap(some: Shortlist) -> tuple[Measure, ...]:
+    """No door covers another (3.3.1, second check): each is compared with those kept before it."""
+    shared = overlap_with_kept(some.triangles, some.scene.method.max_overlap)
+    return (Measure("area shared with a door kept before", shared, None, some.scene.method.max_overlap),)
+
+
+def size_mode(some: Shortlist) -> tuple[Measure, ...]:
+    """The open side is about as long as most; straight doors, easily mistaken, must agree more closely."""
+    factor, widths = some.scene.method.size_mode_factor, some.symbols.width
+    mode = commonest(widths, some.symbols.quality, factor) if factor is not None else None
+    if factor is None or mode is None:
+        return (Measure("longer over shorter of open side and the commonest", np.ones(len(widths))),)
+    ratio = np.maximum(widths, mode) / np.maximum(np.minimum(widths, mode), 1e-9)
+    allowed = np.where(some.symbols.has_arc, factor, np.sqrt(factor))
+    return (Measure("longer over shorter of open side and the commonest", ratio, None, allowed),)
+
+
+def kind(some: Shortlist) -> tuple[Measure, ...]:
+    """Where at least three doors have an arc, one without is furniture."""
+    arcs = some.symbols.has_arc
+    least = 1.0 if arcs.sum() >= FEWEST_FOR_A_MODE else 0.0
+    return (Measure("has an arc", arcs.astype(float), least),)
+
+
+def outer_walls(some: Shortlist) -> tuple[Measure, ...]:
+    """No vertex lies on an outer wall (3.3.1, third check): on a line through the extreme corners, eq. 3.11."""
+    if not len(some):
+        return (Measure("distance from an outer wall, px", np.empty(0)),)
+    x_min, x_max, y_min, y_max = extreme_corners(some.scene.corners)
+    x, y = some.triangles[..., 0], some.triangles[..., 1]
+    away = np.minimum.reduce([np.abs(x - x_min), np.abs(x - x_max), np.abs(y - y_min), np.abs(y - y_max)]).min(axis=1)
+    return (Measure("distance from an outer wall, px", away, some.scene.method.outer_tolerance, strict=True),)
+
+
+def commonest(widths: NDArray[np.float64], quality: NDArray[np.float64], factor: float) -> float | None:
+    """The width that most doors have within the root of a factor, the better ones counting more; None when too few agree."""
+    if not len(widths):
+        return None
+    close = np.maximum(widths[:, None], widths[None, :]) <= np.sqrt(factor) * np.minimum(widths[:, None], widths[None, :])
+    best = int((close @ quality).argmax())
+    return float(widths[best]) if close[best].sum() >= FEWEST_FOR_A_MODE else None
+
+
+ASK: Mapping[str, Callable[[Shortlist], tuple[Measure, ...]]] = {
+    "connectivity": connectivity,
+    "geometry": geometry,
+    "orientation": orientation,
+    "symbol": symbol,
+    "open side": open_side,
+    "jamb support": jamb_support,
+    "dark share": dark,
+    "overlap": overlap,
+    "size mode": size_mode,
+    "kind": kind,
+    "outer walls": outer_walls,
+}
+"""The tests by name, in their order."""
+
+
+def passed(measures: tuple[Measure, ...]) -> NDArray[np.bool_]:
+    """(K,) True where every measure keeps its bounds."""
+    return np.asarray(np.logical_and.reduce([measure.passed for measure in measures]))
