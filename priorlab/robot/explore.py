@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from priorlab.core.building import Truth, World
 from priorlab.core.checks import check_poses
 from priorlab.core.grid import Grid
+from priorlab.core.progress import Progress
 from priorlab.core.readings import Readings
 from priorlab.core.sensor import RangeSensor
 from priorlab.robot.range_noise import RangeNoise, disturb
@@ -26,18 +27,20 @@ def explore(
     rng: np.random.Generator | None = None,
     noise: RangeNoise = EXACT,
     repeats: int = 1,
+    progress: Progress | None = None,
 ) -> Readings:
     """Measure ranges from every pose of a survey: one per bearing, bearings so dense that no pixel is missed.
 
     Parameters
     ----------
     building : what stands in the way (`.obstacles`): the plan's truth, or a world with furniture
-    survey : (N, 3) poses x, y, theta; pixels, y up
+    survey : (N, 3) poses x, y, theta; pixels, y up; `read_poses` reads them from a file
     sensor : range and opening of the cone; `RangeSensor()` by default
     rng : draws the noise; not needed for exact ranges
     noise : faults of the sensor (thesis 5.3), in pixels. A lost reading, and one of an obstacle in the blind zone, is no
         reading: its range is nan, `valid` is False, and no cell gets evidence from it
     repeats : readings per pose, each with its own noise (thesis 5.3 takes 1 and 3)
+    progress : called with the poses done and the poses to do
 
     Returns
     -------
@@ -56,13 +59,14 @@ def explore(
     """
     sensor = sensor or RangeSensor()
     poses = _check_survey(building.obstacles, survey)
-    if repeats < 1:
-        raise ValueError(f"repeats must be at least 1, got {repeats}")
+    if repeats < 1 or repeats != int(repeats):
+        raise ValueError(f"repeats must be a whole number of at least 1, got {repeats}")
     bearings = bearings_of(sensor)
     angles = poses[:, 2, None] + bearings
     origins = np.repeat(poses[:, :2], len(bearings), axis=0)
     reach = sensor.max_range + 6 * noise.deviation  # noise may bring a far obstacle within range
-    ranges = cast_rays(building.obstacles, origins, angles.ravel(), reach).reshape(angles.shape)
+    tell = progress and (lambda done, to_do: progress(done // len(bearings), to_do // len(bearings)))
+    ranges = cast_rays(building.obstacles, origins, angles.ravel(), reach, tell).reshape(angles.shape)
     if repeats > 1:
         poses, ranges = np.repeat(poses, repeats, axis=0), np.repeat(ranges, repeats, axis=0)
     if noise == EXACT:

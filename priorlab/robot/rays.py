@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.checks import check_image, check_positive
 from priorlab.core.grid import Grid
+from priorlab.core.progress import Progress
 
 RAYS_AT_ONCE = 20_000
 """Rays that walk together: enough for speed, little for memory."""
@@ -20,7 +21,9 @@ AT_THE_CORNER = 1e-9
 """Crossings of a column and of a row that lie this close together (pixels) are one: the ray goes through the corner."""
 
 
-def cast_rays(obstacles: ArrayLike, origins_xy: ArrayLike, angles: ArrayLike, max_range: float) -> NDArray[np.float64]:
+def cast_rays(
+    obstacles: ArrayLike, origins_xy: ArrayLike, angles: ArrayLike, max_range: float, progress: Progress | None = None
+) -> NDArray[np.float64]:
     """Distance from each origin to the first obstacle pixel along its ray.
 
     Parameters
@@ -29,6 +32,7 @@ def cast_rays(obstacles: ArrayLike, origins_xy: ArrayLike, angles: ArrayLike, ma
     origins_xy : (N, 2) x, y in pixels, y up
     angles : (N,) radians, counter-clockwise from +x
     max_range : pixels; what lies farther away is not met
+    progress : called with the rays done and the rays to do
 
     Returns
     -------
@@ -59,6 +63,8 @@ def cast_rays(obstacles: ArrayLike, origins_xy: ArrayLike, angles: ArrayLike, ma
     for first in range(0, len(angles), RAYS_AT_ONCE):
         some = slice(first, first + RAYS_AT_ONCE)
         ranges[some] = _walk(kind.ravel(), width + 2, origins[some], angles[some], max_range)
+        if progress:
+            progress(min(first + RAYS_AT_ONCE, len(angles)), len(angles))
     return ranges
 
 

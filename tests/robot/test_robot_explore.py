@@ -82,6 +82,19 @@ def test_explore_measures_by_chance_what_stands_a_little_beyond_the_range():
     assert np.isfinite(ahead).mean() == pytest.approx(0.159, abs=0.06) and ahead[np.isfinite(ahead)].max() <= 14.5
 
 
+def test_explore_says_how_far_it_is_and_can_be_interrupted(monkeypatch):
+    monkeypatch.setattr("priorlab.robot.rays.RAYS_AT_ONCE", 100)
+    told = []
+    explore(TRUTH, [MIDDLE] * 20, RangeSensor(max_range=40), progress=lambda done, to_do: told.append((done, to_do)))
+    assert told == sorted(told) and told[-1] == (20, 20) and len(told) == math.ceil(20 * 43 / 100)
+
+    def interrupt(done, to_do):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        explore(TRUTH, [MIDDLE], progress=interrupt)
+
+
 def test_explore_is_the_same_for_the_same_seed():
     noise = RangeNoise(deviation=0.5, outlier_rate=0.1)
     one, two = (explore(TRUTH, [MIDDLE], rng=np.random.default_rng(5), noise=noise).ranges for _ in range(2))
@@ -96,7 +109,7 @@ def test_explore_is_the_same_for_the_same_seed():
         ([MIDDLE, [math.nan, 2, 0]], {}, r"survey must be finite numbers, got \[nan, 2.0, 0.0\] in row 1"),
         ([MIDDLE, [34.0, 2, 0]], {}, "survey must stay on the map of 34 x 24 pixels, got x, y = 34, 2 in row 1"),
         ([MIDDLE, [1.0, 5, 0]], {}, "survey must stand in free space, got an obstacle at x, y = 1, 5 in row 1"),
-        ([MIDDLE], {"repeats": 0}, "repeats must be at least 1, got 0"),
+        ([MIDDLE], {"repeats": 0}, "repeats must be a whole number of at least 1, got 0"),
         ([MIDDLE], {"noise": RangeNoise(1.0)}, "rng must be a numpy Generator.*got None"),
     ],
 )

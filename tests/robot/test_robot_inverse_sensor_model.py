@@ -3,6 +3,7 @@
 import dataclasses
 import math
 
+import cv2
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -113,6 +114,40 @@ def test_observe_takes_readings_in_batches_as_one(speckled, monkeypatch):
     monkeypatch.setattr("priorlab.robot.inverse_sensor_model.CANDIDATES_AT_ONCE", 100)
     assert len(list(observe(readings, grid))) > 1
     assert looks_of(readings, grid) == at_once
+
+
+def reachable(free, row, col):
+    """The pixels that can be walked to over sides, in plain Python."""
+    found, edge = {(row, col)}, [(row, col)]
+    while edge:
+        row, col = edge.pop()
+        for place in ((row + 1, col), (row - 1, col), (row, col + 1), (row, col - 1)):
+            inside = 0 <= place[0] < free.shape[0] and 0 <= place[1] < free.shape[1]
+            if inside and free[place] and place not in found:
+                found.add(place)
+                edge.append(place)
+    return found
+
+
+@settings(max_examples=60)
+@given(st.integers(0, 2**32 - 1))
+def test_free_space_never_leaks_through_a_thin_wall(seed):
+    """Lines one pixel thin that touch only at corners: nothing behind them is seen free, whatever the heading."""
+    rng = np.random.default_rng(seed)
+    canvas = np.zeros((40, 50), dtype=np.uint8)
+    ends = rng.integers(0, [50, 40], (5, 2, 2))
+    for start, end in ends.tolist():
+        cv2.line(canvas, start, end, 1)
+    walls = canvas.astype(bool)
+    places = np.argwhere(~walls)[rng.integers(0, int((~walls).sum()), 4)]
+    xy = np.column_stack([places[:, 1], 39 - places[:, 0]]) + rng.uniform(0.01, 0.99, (4, 2))
+    poses = np.column_stack([xy, rng.uniform(-math.pi, math.pi, 4)])
+    readings = explore(Truth(walls, walls & False), poses, RangeSensor(max_range=30, half_angle=1.5))
+    for k, (row, col) in enumerate(places.tolist()):
+        inside = reachable(~walls, row, col)
+        for looks in observe(readings[k : k + 1], Grid(walls.shape)):
+            free = {divmod(int(cell), 50) for cell in looks.cell[looks.p_empty == 0.9]}
+            assert all(place in inside or walls[place] for place in free)
 
 
 def ahead_of(wall_at, cell_size=1, width=12, **sensor):
