@@ -1,4 +1,4 @@
-"""Letters as polygons: the outlines of DejaVu Sans, the font that Matplotlib carries, so that text is the same everywhere."""
+"""Letters as polygons: the outlines of the fonts that Matplotlib carries, so that text is the same everywhere."""
 
 from __future__ import annotations
 
@@ -9,40 +9,48 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-_UNITS = 64.0  # FreeType counts in 1/64 points
+FONTS = {
+    "sans": "DejaVuSans.ttf",
+    "mono": "DejaVuSansMono.ttf",
+    "oblique": "DejaVuSans-Oblique.ttf",
+    "serif": "DejaVuSerif.ttf",
+    "stix": "STIXGeneral.ttf",
+}
+"""Names of outline fonts and their files; "stroke" has no outlines (stroke_letters.py)."""
+
 _POINTS = 100
 
 
-def text_polygons(text: str) -> list[NDArray[np.float64]]:
+def text_polygons(text: str, font: str = "sans") -> list[NDArray[np.float64]]:
     """(N, 2) polygons of a line of text: x right, y up, base line at 0, capital letters 1 high.
 
     Holes are polygons too: fill them together, by the even-odd rule.
     """
     polygons, pen = [], 0.0
     for letter in text:
-        outlines, advance = _letter(letter)
+        outlines, advance = _letter(letter, font)
         polygons += [outline + (pen, 0.0) for outline in outlines]
         pen += advance
     return polygons
 
 
-@functools.lru_cache(maxsize=512)
-def _letter(letter: str) -> tuple[tuple[NDArray[np.float64], ...], float]:
+@functools.lru_cache(maxsize=1024)
+def _letter(letter: str, name: str) -> tuple[tuple[NDArray[np.float64], ...], float]:
     """The outlines of one letter and how far the pen moves on."""
-    font, capital = _font()
+    font, capital = _font(name)
     glyph = font.load_char(ord(letter), flags=_no_hinting())
     points, codes = font.get_path()
     outlines = tuple(outline / capital for outline in _flattened(np.asarray(points), np.asarray(codes)))
     return outlines, glyph.linearHoriAdvance / 65536 / capital
 
 
-@functools.lru_cache(maxsize=1)
-def _font() -> tuple[Any, float]:
+@functools.lru_cache(maxsize=8)
+def _font(name: str) -> tuple[Any, float]:
     """The font and the height of its capitals, in its own units. Matplotlib's font search is slow and is not asked."""
     import matplotlib
     from matplotlib.ft2font import FT2Font
 
-    font = FT2Font(str(Path(matplotlib.get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"))
+    font = FT2Font(str(Path(matplotlib.get_data_path()) / "fonts" / "ttf" / FONTS[name]))
     font.set_size(_POINTS, 72)
     font.load_char(ord("H"), flags=_no_hinting())
     points, _ = font.get_path()

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from priorlab.buildings.frame import Frame
 from priorlab.buildings.lettering import text_polygons
+from priorlab.buildings.stroke_letters import PEN, text_strokes
 
 FINER = 4
 """Fine pixels per pixel and axis: an average over 4 x 4 makes 17 greys, as an anti-aliased export has them."""
@@ -25,8 +26,8 @@ class Paper:
     in the description's metres.
     """
 
-    def __init__(self, frame: Frame, paper: str = "#ffffff", colour: bool = False) -> None:
-        self.frame, self._colour = frame, colour
+    def __init__(self, frame: Frame, paper: str = "#ffffff", colour: bool = False, font: str = "sans") -> None:
+        self.frame, self._colour, self._font = frame, colour, font
         shape = (frame.shape[0] * FINER, frame.shape[1] * FINER)
         self._fine = np.full((*shape, 3) if colour else shape, self._value(paper), dtype=np.uint8)
 
@@ -70,16 +71,21 @@ class Paper:
         self, text: str, middle: ArrayLike, size: float, turn: float = 0.0, ink: str = "#000000", align: str = "centre"
     ) -> None:
         """Text whose capital letters are `size` metres high; `middle` is its centre, or its left end for align="left"."""
-        polygons = text_polygons(text)
-        if not polygons:
+        as_strokes = self._font == "stroke"
+        curves = text_strokes(text) if as_strokes else text_polygons(text, self._font)
+        if not curves:
             return
-        low = min(float(p[:, 0].min()) for p in polygons)
-        high = max(float(p[:, 0].max()) for p in polygons)
+        low = min(float(p[:, 0].min()) for p in curves)
+        high = max(float(p[:, 0].max()) for p in curves)
         shift = np.array([low if align == "left" else (low + high) / 2, 0.5])
         cos, sin = math.cos(math.radians(turn)), math.sin(math.radians(turn))
         rotation = np.array([[cos, sin], [-sin, cos]])
-        fixed = [self._fixed(np.asarray(middle) + size * (polygon - shift) @ rotation) for polygon in polygons]
-        cv2.fillPoly(self._fine, fixed, self._value(ink), cv2.LINE_8, _SHIFT)
+        placed = [np.asarray(middle) + size * (curve - shift) @ rotation for curve in curves]
+        if as_strokes:
+            for stroke in placed:
+                self.line(stroke, PEN * size / self.frame.metres_per_pixel, ink)
+        else:
+            cv2.fillPoly(self._fine, [self._fixed(polygon) for polygon in placed], self._value(ink), cv2.LINE_8, _SHIFT)
 
     def stain(self, fine_mask: NDArray[np.bool_], ink: str) -> None:
         """Every fine pixel of a mask takes a colour."""

@@ -14,6 +14,13 @@ from priorlab.core.checks import check_positive
 Point = tuple[float, float]
 Compass = Literal["north", "south", "east", "west"]
 DoorKind = Literal["arc", "arc_panel", "double", "leaf", "folding", "sliding", "opening"]
+SymbolFamily = Literal["plain", "soft", "angular", "atelier"]
+DoorSymbol = Literal["plain", "slab", "framed", "solid"]
+WindowSymbol = Literal["box", "line", "offset", "double"]
+StairsSymbol = Literal["plain", "cut", "winder", "dogleg"]
+DimensionMark = Literal["tick", "dot", "arrow", "ring"]
+FontName = Literal["sans", "mono", "oblique", "serif", "stix", "stroke"]
+MarkKind = Literal["bubble", "cloud", "compass", "level", "ruler", "section", "stamp"]
 
 FURNITURE_SIZES: dict[str, tuple[float, float]] = {
     "armchair": (0.85, 0.85),
@@ -22,6 +29,7 @@ FURNITURE_SIZES: dict[str, tuple[float, float]] = {
     "bed": (1.6, 2.0),
     "box": (0.6, 0.6),
     "cabinet": (0.9, 0.45),
+    "car": (1.8, 4.3),
     "chair": (0.45, 0.45),
     "counter": (2.4, 0.6),
     "cupboard": (1.8, 0.6),
@@ -35,6 +43,7 @@ FURNITURE_SIZES: dict[str, tuple[float, float]] = {
     "sink": (0.9, 0.6),
     "sofa": (2.0, 0.9),
     "table": (1.6, 0.9),
+    "tree": (2.0, 2.0),
     "washer": (0.6, 0.6),
     "wc": (0.4, 0.65),
 }
@@ -245,6 +254,23 @@ class Line:
 
 
 @dataclass(frozen=True)
+class Mark:
+    """A sign on the sheet that is no wall: an axis bubble, a section arrow, a height, a room stamp, a compass, a ruler, a cloud.
+
+    `size` is its width in metres; what `text` means depends on the kind.
+    """
+
+    kind: MarkKind
+    at: Point
+    size: float = 0.6
+    text: str = ""
+    turn: float = 0.0
+
+    def __post_init__(self) -> None:
+        check_positive("size", self.size)
+
+
+@dataclass(frozen=True)
 class Sheet:
     """The paper round the building.
 
@@ -257,6 +283,9 @@ class Sheet:
     decimal : "." or "," in areas and dimensions
     line : weight of thin lines (furniture, doors, dimensions), pixels
     ink, furniture_ink, paper : colours "#rrggbb" of lines and text, of furniture, of the paper
+    symbols, door_symbol, window_symbol, stairs_symbol, dimension_mark : whose hand draws them (docs/drawing_suite.md)
+    font : of everything that is written
+    unit : of the measures in dimension chains
     """
 
     margins: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)
@@ -271,6 +300,13 @@ class Sheet:
     ink: str = "#000000"
     furniture_ink: str = "#000000"
     paper: str = "#ffffff"
+    symbols: SymbolFamily = "plain"
+    door_symbol: DoorSymbol = "plain"
+    window_symbol: WindowSymbol = "box"
+    stairs_symbol: StairsSymbol = "plain"
+    dimension_mark: DimensionMark = "tick"
+    font: FontName = "sans"
+    unit: Literal["m", "cm", "mm"] = "m"
 
 
 @dataclass(frozen=True)
@@ -289,6 +325,7 @@ class Description:
     notes: tuple[Note, ...] = ()
     dimensions: tuple[Dimension, ...] = ()
     lines: tuple[Line, ...] = ()
+    marks: tuple[Mark, ...] = ()
     sheet: Sheet = field(default_factory=Sheet)
     start: str | None = None
 

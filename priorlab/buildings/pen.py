@@ -28,6 +28,10 @@ class Pen:
         """The piece's own rectangle."""
         self.box(-self.width / 2, -self.depth / 2, self.width / 2, self.depth / 2, round_by)
 
+    def patch(self, *points: tuple[float, float], fill: bool = True) -> None:
+        """A closed outline through points."""
+        self._shape(np.array(points), fill)
+
     def oval(self, x: float, y: float, a: float, b: float | None = None, fill: bool = True) -> None:
         """An ellipse with half axes a, b."""
         self._shape(ellipse((x, y), a, a if b is None else b), fill)

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import cv2
 import numpy as np
 
-from priorlab.buildings import symbols_fixtures as fixtures
-from priorlab.buildings import symbols_furniture as loose
 from priorlab.buildings.layout import Layout, Placed, chairs_of
 from priorlab.buildings.paper import Paper, rgb
-from priorlab.buildings.parts import Description, Furniture, Room, Stairs
+from priorlab.buildings.parts import Description, Furniture, Room, Sheet, Stairs
 from priorlab.buildings.pen import Pen
+from priorlab.buildings.symbol_families import FAMILIES
+from priorlab.buildings.symbols_marks import draw_mark
 from priorlab.buildings.symbols_openings import draw_door, draw_window, sills
 from priorlab.buildings.symbols_sheet import (
     BLOCK_WIDTH,
@@ -23,48 +21,24 @@ from priorlab.buildings.symbols_sheet import (
     draw_title,
     draw_title_block,
 )
+from priorlab.buildings.symbols_stairs import STAIRS
 from priorlab.buildings.wall_masks import WallMasks, hatching
 from priorlab.core.drawing import Drawing
-
-SYMBOLS: dict[str, Callable[[Pen], None]] = {
-    "armchair": loose.draw_sofa,
-    "basin": fixtures.draw_basin,
-    "bath": fixtures.draw_bath,
-    "bed": loose.draw_bed,
-    "box": loose.draw_box,
-    "cabinet": loose.draw_cabinet,
-    "chair": loose.draw_chair,
-    "counter": fixtures.draw_counter,
-    "cupboard": loose.draw_cupboard,
-    "desk": loose.draw_desk,
-    "fridge": fixtures.draw_fridge,
-    "hob": fixtures.draw_hob,
-    "plant": loose.draw_plant,
-    "round_table": loose.draw_round_table,
-    "shelf": loose.draw_shelf,
-    "shower": fixtures.draw_shower,
-    "sink": fixtures.draw_sink,
-    "sofa": loose.draw_sofa,
-    "table": loose.draw_table,
-    "washer": fixtures.draw_washer,
-    "wc": fixtures.draw_wc,
-}
-"""Who draws which kind."""
 
 
 def render(layout: Layout, walls: WallMasks, areas_m2: dict[str, float]) -> Drawing:
     """The drawing: lines of the site, furniture, stairs, walls, windows, doors, then all that is written."""
     description, sheet = layout.description, layout.description.sheet
     colourful = _is_colourful(description)
-    paper = Paper(layout.frame, sheet.paper, colourful)
+    paper = Paper(layout.frame, sheet.paper, colourful, sheet.font)
     for line in description.lines:
         (paper.dashes if line.dashed else paper.line)(np.array(line.path), line.weight, sheet.ink)
     for piece in layout.furniture:
         if isinstance(piece.part, Furniture) and not piece.part.only_in_world:
-            draw_piece(paper, piece, sheet.line, sheet.furniture_ink)
+            draw_piece(paper, piece, sheet)
     for flight in layout.stairs:
         if isinstance(flight.part, Stairs):
-            fixtures.draw_stairs(Pen(paper, flight, sheet.line, sheet.ink), flight.part.treads)
+            STAIRS[sheet.stairs_symbol](Pen(paper, flight, sheet.line, sheet.ink), flight.part.treads)
     draw_walls(paper, layout, walls)
     draw_windows(paper, layout, sheet.ink)
     draw_doors(paper, layout, sheet.ink)
@@ -74,12 +48,13 @@ def render(layout: Layout, walls: WallMasks, areas_m2: dict[str, float]) -> Draw
     return Drawing(grey, picture if colourful else None, description.metres_per_pixel, description.name)
 
 
-def draw_piece(paper: Paper, piece: Placed, weight: float, ink: str = "#000000") -> None:
-    """A piece of furniture, its chairs below it."""
+def draw_piece(paper: Paper, piece: Placed, sheet: Sheet) -> None:
+    """A piece of furniture in the sheet's hand, its chairs below it."""
+    family = FAMILIES[sheet.symbols]
     for chair in chairs_of(piece):
-        loose.draw_chair(Pen(paper, chair, weight, ink))
+        family["chair"](Pen(paper, chair, sheet.line, sheet.furniture_ink))
     assert isinstance(piece.part, Furniture)
-    SYMBOLS[piece.part.kind](Pen(paper, piece, weight, ink))
+    family[piece.part.kind](Pen(paper, piece, sheet.line, sheet.furniture_ink))
 
 
 def draw_walls(paper: Paper, layout: Layout, walls: WallMasks) -> None:
@@ -100,14 +75,15 @@ def draw_windows(paper: Paper, layout: Layout, ink: str) -> None:
     for window in layout.windows:
         for sill in sills(window) if window.part.sill else ():
             paper.line(sill, sheet.line, ink)
-        draw_window(paper, window, sheet.line, ink)
+        draw_window(paper, window, sheet.line, ink, sheet.window_symbol)
 
 
 def draw_doors(paper: Paper, layout: Layout, ink: str) -> None:
     """All doors that the plan knows."""
+    sheet = layout.description.sheet
     for door in layout.doors:
         if not door.part.plan_shows_wall:
-            draw_door(paper, door, layout.description.sheet.line, ink)
+            draw_door(paper, door, sheet.line, ink, sheet.door_symbol)
 
 
 def _is_colourful(description: Description) -> bool:
@@ -125,6 +101,8 @@ def _draw_writing(paper: Paper, layout: Layout, areas_m2: dict[str, float]) -> N
         _draw_label(paper, room, areas_m2[room.name], description)
     for note in description.notes:
         paper.text(note.text, note.at, note.size, note.turn, sheet.ink)
+    for mark in description.marks:
+        draw_mark(paper, mark, sheet)
     outline = np.concatenate([piece.outline for piece in layout.pieces])
     bounds = np.array([outline.min(axis=0), outline.max(axis=0)])
     for chain in description.dimensions:

@@ -79,15 +79,3 @@ def draw_washer(pen: Pen) -> None:
     pen.outline()
     pen.oval(0, 0, 0.35 * min(pen.width, pen.depth))
     pen.line((-pen.width / 2, pen.depth / 2 - 0.08), (pen.width / 2, pen.depth / 2 - 0.08))
-
-
-def draw_stairs(pen: Pen, treads: int) -> None:
-    """Treads and the arrow that leads up (towards +y)."""
-    w, d = pen.width, pen.depth
-    pen.outline()
-    for y in np.linspace(-d / 2, d / 2, treads + 1)[1:-1]:
-        pen.line((-w / 2, y), (w / 2, y))
-    tip, size = d / 2 - 0.12, min(0.16, w / 5)
-    pen.line((0, -d / 2 + 0.1), (0, tip))
-    pen.line((-size, tip - 1.4 * size), (0, tip), (size, tip - 1.4 * size))
-    pen.oval(0, -d / 2 + 0.1, 0.05)

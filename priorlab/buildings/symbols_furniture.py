@@ -96,3 +96,20 @@ def draw_plant(pen: Pen) -> None:
         for side in (-0.3, 0.3):
             tip = (r * np.cos(angle + side) * 0.8, r * np.sin(angle + side) * 0.8)
             pen.line(tip, (0.6 * r * x, 0.6 * r * y))
+
+
+def draw_car(pen: Pen) -> None:
+    """A body, bonnet and windscreens."""
+    w, d = pen.width, pen.depth
+    pen.outline(round_by=0.3)
+    pen.box(-w / 2 + 0.12, -d / 2 + 0.5, w / 2 - 0.12, d / 2 - 1.2, round_by=0.25)
+    pen.line((-w / 2 + 0.12, d / 2 - 1.75), (w / 2 - 0.12, d / 2 - 1.75))
+    pen.line((-w / 2 + 0.12, -d / 2 + 0.95), (w / 2 - 0.12, -d / 2 + 0.95))
+
+
+def draw_tree(pen: Pen) -> None:
+    """A crown with its branches."""
+    r = min(pen.width, pen.depth) / 2
+    pen.oval(0, 0, r)
+    for angle in np.radians(np.arange(0, 360, 30)):
+        pen.line((0.15 * r * np.cos(angle), 0.15 * r * np.sin(angle)), (0.85 * r * np.cos(angle), 0.85 * r * np.sin(angle)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,14 +15,37 @@ LEAF = 0.045
 """Thickness of a door leaf, metres."""
 
 
-def draw_door(paper: Paper, door: PlacedDoor, weight: float, ink: str = "#000000") -> None:
-    """The symbol of a door: its leaves, and what its kind adds."""
-    part, opening = door.part, door.opening
+@dataclass(frozen=True)
+class DoorHand:
+    """How an office draws its doors: thickness of a leaf and side of the frame's posts in metres, weight of the arc as a share."""
+
+    leaf: float = LEAF
+    is_solid: bool = False
+    post: float = 0.0
+    arc: float = 1.0
+
+
+DOOR_HANDS: dict[str, DoorHand] = {
+    "plain": DoorHand(),
+    "slab": DoorHand(leaf=0.075),
+    "framed": DoorHand(leaf=0.055, post=0.06),
+    "solid": DoorHand(leaf=0.04, is_solid=True, arc=0.75),
+}
+"""Door symbols by name."""
+
+
+def draw_door(paper: Paper, door: PlacedDoor, weight: float, ink: str = "#000000", symbol: str = "plain") -> None:
+    """The symbol of a door: its frame, its leaves, and what its kind adds."""
+    part, opening, hand = door.part, door.opening, DOOR_HANDS[symbol]
+    for side in (-1, 1) if hand.post and door.leaves else ():
+        middle = opening.middle + side * (opening.width - hand.post) / 2 * opening.along
+        paper.shape(bar(middle, opening.along, hand.post, opening.thickness), weight, ink)
     for leaf in door.leaves:
         if part.kind == "folding":
-            _draw_folding(paper, leaf, weight, ink)
+            _draw_folding(paper, leaf, hand, weight, ink)
         else:
-            _draw_leaf(paper, leaf, part.drawn_open, part.kind == "arc_panel", part.kind != "leaf", weight, ink)
+            as_panel = part.kind == "arc_panel" or hand.is_solid
+            _draw_leaf(paper, leaf, part.drawn_open, hand, as_panel, part.kind != "leaf", weight, ink)
     if part.kind == "sliding":
         for sign in (-1, 1):
             leaf_middle = opening.middle + sign * (0.22 * part.width * opening.along + 0.55 * LEAF * opening.across)
@@ -31,17 +55,17 @@ def draw_door(paper: Paper, door: PlacedDoor, weight: float, ink: str = "#000000
         paper.line([opening.corner(-1, side), opening.corner(1, side)], weight, ink)
 
 
-def _draw_leaf(paper: Paper, leaf: Leaf, degrees: float, panel: bool, arc: bool, weight: float, ink: str) -> None:
+def _draw_leaf(paper: Paper, leaf: Leaf, degrees: float, hand: DoorHand, panel: bool, arc: bool, weight: float, ink: str) -> None:
     """An open leaf, a line or a rectangle, and the quarter arc of its tip."""
     tip = leaf.tip(degrees)
     if arc:
         angles = np.linspace(0, degrees, max(8, round(degrees / 4)))
-        paper.line([leaf.tip(float(angle)) for angle in angles], weight, ink)
+        paper.line([leaf.tip(float(angle)) for angle in angles], hand.arc * weight, ink)
     if panel:
         along = (tip - leaf.hinge) / leaf.width
         inwards = leaf.tip(degrees - 90) - leaf.hinge
-        middle = (leaf.hinge + tip) / 2 + LEAF / 2 * inwards / leaf.width
-        paper.shape(bar(middle, along, leaf.width, LEAF), weight, ink)
+        middle = (leaf.hinge + tip) / 2 + hand.leaf / 2 * inwards / leaf.width
+        paper.shape(bar(middle, along, leaf.width, hand.leaf), weight, ink, _fill(hand, ink))
     else:
         paper.line([leaf.hinge, tip], weight, ink)
 
@@ -54,26 +78,38 @@ def folded(leaf: Leaf) -> Points:
     return np.array([leaf.hinge + i * step * leaf.shut + (i % 2) * height * leaf.square for i in range(5)])
 
 
-def _draw_folding(paper: Paper, leaf: Leaf, weight: float, ink: str) -> None:
+def _fill(hand: DoorHand, ink: str) -> str:
+    """The colour inside a leaf of two lines."""
+    return ink if hand.is_solid else "#ffffff"
+
+
+def _draw_folding(paper: Paper, leaf: Leaf, hand: DoorHand, weight: float, ink: str) -> None:
     """Panels in zigzag."""
     points = folded(leaf)
     for start, end in zip(points, points[1:], strict=False):
         along = (end - start) / np.linalg.norm(end - start)
-        paper.shape(bar((start + end) / 2, along, float(np.linalg.norm(end - start)), LEAF * 0.8), weight, ink)
+        outline = bar((start + end) / 2, along, float(np.linalg.norm(end - start)), hand.leaf * 0.8)
+        paper.shape(outline, weight, ink, _fill(hand, ink))
 
 
-def draw_window(paper: Paper, window: PlacedWindow, weight: float, ink: str = "#000000") -> None:
+def draw_window(paper: Paper, window: PlacedWindow, weight: float, ink: str = "#000000", symbol: str = "box") -> None:
     """Both faces of the wall, the pane in between, the frame's posts; the wall's own ink closes the ends."""
     opening = window.opening
     inset = weight / 2 * paper.frame.metres_per_pixel / (opening.thickness / 2)  # the lines lie within the wall's faces
     for across in (-1 + inset, 1 - inset):
         paper.line([opening.corner(-1, across), opening.corner(1, across)], weight, ink)
-    if opening.thickness / paper.frame.metres_per_pixel > 9:
+    is_wide = opening.thickness / paper.frame.metres_per_pixel > 9
+    if is_wide and symbol == "box":
         paper.shape(bar(opening.middle, opening.along, opening.width, 0.07), weight, ink)
-    else:
-        paper.line([opening.corner(-1, 0), opening.corner(1, 0)], weight, ink)
+    elif is_wide or symbol != "double":
+        for across in PANES[symbol] if is_wide else (0.0,):
+            paper.line([opening.corner(-1, across), opening.corner(1, across)], weight, ink)
     for share in np.linspace(-1, 1, window.part.casements + 1)[1:-1]:
         paper.line([opening.corner(share, -0.45), opening.corner(share, 0.45)], weight, ink)
+
+
+PANES: dict[str, tuple[float, ...]] = {"line": (0.0,), "offset": (-0.45,), "double": (-0.33, 0.33)}
+"""Where the panes lie between the faces of a wall, in halves of its thickness; "box" draws a frame of its own."""
 
 
 def sills(window: PlacedWindow) -> list[Points]:

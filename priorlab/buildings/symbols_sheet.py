@@ -34,12 +34,34 @@ def draw_dimension(paper: Paper, chain: Dimension, bounds: Points, sheet: Sheet)
     for point in chain.points:
         inner = -outwards * (reach if chain.level is not None else min(chain.distance - 0.2, 0.35))
         paper.line([at(point, outwards * reach), at(point, inner)], sheet.line * 0.85)
-        tick = 0.09
-        paper.line([at(point, 0) - (tick, tick), at(point, 0) + (tick, tick)], sheet.line * 1.4)
+        _draw_end(paper, at(point, 0), at(point + 1, 0) - at(point, 0), sheet)
     above = chain.size * 0.85 + 0.02
     for start, end in zip(chain.points, chain.points[1:], strict=False):
-        text = f"{end - start:.2f}".replace(".", sheet.decimal)
+        text = measure(end - start, sheet)
         paper.text(text, at((start + end) / 2, -above if upright else above), chain.size, 90.0 if upright else 0.0)
+
+
+def measure(length_m: float, sheet: Sheet) -> str:
+    """A length as the sheet writes it.
+
+    >>> measure(1.25, Sheet()), measure(1.25, Sheet(unit="mm"))
+    ('1.25', '1250')
+    """
+    if sheet.unit == "m":
+        return f"{length_m:.2f}".replace(".", sheet.decimal)
+    return f"{length_m * (100 if sheet.unit == 'cm' else 1000):.0f}"
+
+
+def _draw_end(paper: Paper, point: Points, along: Points, sheet: Sheet) -> None:
+    """What marks a measured point on the line of a chain."""
+    if sheet.dimension_mark == "tick":
+        paper.line([point - 0.09, point + 0.09], sheet.line * 1.4)
+    elif sheet.dimension_mark == "arrow":
+        across = np.array([-along[1], along[0]])
+        for side in (-1, 1):
+            paper.area([point, point + side * 0.16 * along + 0.045 * across, point + side * 0.16 * along - 0.045 * across])
+    else:
+        paper.circle(point, 0.06, sheet.line, fill="#000000" if sheet.dimension_mark == "dot" else "#ffffff")
 
 
 def draw_title(paper: Paper, sheet: Sheet, corner: Points) -> None:

@@ -67,7 +67,7 @@ def _window_ink(layout: Layout) -> NDArray[np.bool_]:
     """Pixels at least half covered by the lines of windows."""
     paper = Paper(layout.frame)
     for window in layout.windows:
-        draw_window(paper, window, layout.description.sheet.line)
+        draw_window(paper, window, layout.description.sheet.line, symbol=layout.description.sheet.window_symbol)
     return paper.picture() < 128
 
 

@@ -7,7 +7,7 @@ from priorlab.buildings.description import parse_description
 from priorlab.buildings.floor_plans import draw_plan
 from priorlab.buildings.lettering import text_polygons
 from priorlab.buildings.parts import BUILT_IN, FURNITURE_SIZES
-from priorlab.buildings.render import SYMBOLS
+from priorlab.buildings.symbol_families import FAMILIES
 
 WALL = """
 metres_per_pixel = 0.02
@@ -69,7 +69,8 @@ def test_colour_must_be_written_in_full():
 
 
 def test_every_kind_of_furniture_has_a_size_and_a_symbol():
-    assert set(SYMBOLS) == set(FURNITURE_SIZES) and set(BUILT_IN) <= set(SYMBOLS)
+    assert all(set(family) == set(FURNITURE_SIZES) for family in FAMILIES.values())
+    assert set(BUILT_IN) <= set(FURNITURE_SIZES)
 
 
 @pytest.mark.parametrize("kind", sorted(FURNITURE_SIZES))
