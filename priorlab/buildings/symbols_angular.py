@@ -191,11 +191,9 @@ def draw_washer(pen: Pen) -> None:
 def draw_car(pen: Pen) -> None:
     """A body with cut corners, screens front and rear."""
     w, d = pen.width, pen.depth
-    chamfered(pen, -w / 2, -d / 2, w / 2, d / 2, 0.35)
-    pen.patch((-w / 2 + 0.1, d / 2 - 1.25), (w / 2 - 0.1, d / 2 - 1.25), (w / 2 - 0.3, d / 2 - 1.8), (-w / 2 + 0.3, d / 2 - 1.8))
-    pen.patch(
-        (-w / 2 + 0.15, -d / 2 + 0.5), (w / 2 - 0.15, -d / 2 + 0.5), (w / 2 - 0.3, -d / 2 + 0.95), (-w / 2 + 0.3, -d / 2 + 0.95)
-    )
+    chamfered(pen, -w / 2, -d / 2, w / 2, d / 2, 0.2 * w)
+    for wide, narrow in ((0.21, 0.08), (-0.38, -0.28)):
+        pen.patch((-0.43 * w, wide * d), (0.43 * w, wide * d), (0.33 * w, narrow * d), (-0.33 * w, narrow * d))
 
 
 def draw_tree(pen: Pen) -> None:

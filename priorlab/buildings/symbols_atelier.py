@@ -63,7 +63,7 @@ def draw_desk(pen: Pen) -> None:
 
 def draw_cupboard(pen: Pen) -> None:
     """A wardrobe: its doors ajar as slim bars, hangers as short strokes."""
-    w, d = pen.width, pen.depth
+    w = pen.width
     framed(pen, 0.05)
     for x in np.arange(-w / 2 + 0.18, w / 2 - 0.1, 0.2):
         pen.line((float(x), -0.14), (float(x) + 0.05, 0.14))

@@ -102,9 +102,9 @@ def draw_car(pen: Pen) -> None:
     """A body, bonnet and windscreens."""
     w, d = pen.width, pen.depth
     pen.outline(round_by=0.3)
-    pen.box(-w / 2 + 0.12, -d / 2 + 0.5, w / 2 - 0.12, d / 2 - 1.2, round_by=0.25)
-    pen.line((-w / 2 + 0.12, d / 2 - 1.75), (w / 2 - 0.12, d / 2 - 1.75))
-    pen.line((-w / 2 + 0.12, -d / 2 + 0.95), (w / 2 - 0.12, -d / 2 + 0.95))
+    pen.box(-0.43 * w, -0.38 * d, 0.43 * w, 0.22 * d, round_by=0.25)
+    for y in (0.09, -0.28):
+        pen.line((-0.43 * w, y * d), (0.43 * w, y * d))
 
 
 def draw_tree(pen: Pen) -> None:

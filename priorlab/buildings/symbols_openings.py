@@ -17,7 +17,7 @@ LEAF = 0.045
 
 @dataclass(frozen=True)
 class DoorHand:
-    """How an office draws its doors: thickness of a leaf and side of the frame's posts in metres, weight of the arc as a share."""
+    """How an office draws its doors: thickness of leaves and of the frame's posts in metres, weight of the arc as a share."""
 
     leaf: float = LEAF
     is_solid: bool = False

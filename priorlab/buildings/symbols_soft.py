@@ -68,7 +68,7 @@ def draw_shelf(pen: Pen) -> None:
 
 def draw_cabinet(pen: Pen) -> None:
     """Two doors with knobs."""
-    w, d = pen.width, pen.depth
+    d = pen.depth
     pen.outline(round_by=0.04)
     pen.line((0, -d / 2), (0, d / 2))
     for x in (-0.07, 0.07):
@@ -162,7 +162,7 @@ def draw_car(pen: Pen) -> None:
     """A round body and its glasshouse."""
     w, d = pen.width, pen.depth
     pen.outline(round_by=0.55)
-    pen.box(-w / 2 + 0.18, -d / 2 + 0.8, w / 2 - 0.18, d / 2 - 1.3, round_by=0.35)
+    pen.box(-0.4 * w, -0.31 * d, 0.4 * w, 0.2 * d, round_by=0.35)
 
 
 def draw_tree(pen: Pen) -> None:
