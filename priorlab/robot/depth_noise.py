@@ -1,0 +1,103 @@
+"""What is wrong with the depth images of a Kinect: noise that grows with the square of depth, holes, whole millimetres."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.checks import check_rng
+
+MOST_MM = 65_535
+"""The largest depth that 16 bits hold."""
+
+
+@dataclass(frozen=True)
+class DepthNoise:
+    """The faults of a depth image; the defaults are a Kinect's.
+
+    Parameters
+    ----------
+    deviation_at_1m : standard deviation of a pixel's depth at 1 m, metres; at 2 m it is four times as much, as for every
+        camera that triangulates (Khoshelham and Elberink, 2012, measured 1.4 mm for the Kinect)
+    common_at_1m : the same for what all pixels of a column share (a wavy depth image); the strip's mean does not take it away
+    hole_rate : share of the image that is lost
+    hole_side : a hole's side, pixels: holes come in patches, since single lost pixels would vanish in the strip's mean
+    """
+
+    deviation_at_1m: float = 0.0014
+    common_at_1m: float = 0.003
+    hole_rate: float = 0.05
+    hole_side: int = 32
+
+    def __post_init__(self) -> None:
+        for name in ("deviation_at_1m", "common_at_1m"):
+            value = getattr(self, name)
+            if not (np.isfinite(value) and value >= 0):
+                raise ValueError(f"{name} must be a finite number of at least 0, got {value:g}")
+        if not 0 <= self.hole_rate <= 1:
+            raise ValueError(f"hole_rate must lie between 0 and 1, got {self.hole_rate:g}")
+        if self.hole_side != int(self.hole_side) or self.hole_side < 1:
+            raise ValueError(f"hole_side must be a whole number of at least 1, got {self.hole_side}")
+
+
+class FaultDraws(NamedTuple):
+    """The chance in one depth image, whatever the size of its faults: one fault can be changed and the others stay.
+
+    spread : (rows, columns) standard normal, one for a pixel
+    wave : (columns,) smooth, one for a column
+    patches : (rows, columns) between 0 and 1; below the hole rate the pixel is lost
+    """
+
+    spread: NDArray[np.float32]
+    wave: NDArray[np.float64]
+    patches: NDArray[np.float32]
+
+    def rows(self, chosen: slice) -> FaultDraws:
+        """Those of some rows."""
+        return FaultDraws(self.spread[chosen], self.wave, self.patches[chosen])
+
+
+def draw_faults(rng: np.random.Generator | None, shape: tuple[int, int], hole_side: int = 32) -> FaultDraws:
+    """Draw the chance of one image of a camera."""
+    rng = check_rng(rng)
+    rows, columns = shape
+    spread = rng.standard_normal(shape, dtype=np.float32)
+    knots = rng.standard_normal(2 + columns // hole_side)
+    wave = np.interp(np.arange(columns) / hole_side, np.arange(len(knots)), knots)
+    patches = rng.random((2 + rows // hole_side, 2 + columns // hole_side), dtype=np.float32)
+    down, right = rng.integers(0, hole_side, 2)
+    whole = patches.repeat(hole_side, axis=0).repeat(hole_side, axis=1)
+    return FaultDraws(spread, wave, whole[down : down + rows, right : right + columns])
+
+
+def disturb_depth(depth_m: NDArray[np.float64], noise: DepthNoise, draws: FaultDraws) -> NDArray[np.float64]:
+    """Depths as a faulty camera sees them; inf = nothing measured stays so, and holes become inf.
+
+    Parameters
+    ----------
+    depth_m : (rows, columns) true depths, metres
+    noise : the faults
+    draws : the chance in this image, of the same rows
+
+    >>> flat = np.full((480, 640), 2.0)
+    >>> draws = draw_faults(np.random.default_rng(0), flat.shape)
+    >>> round(float(disturb_depth(flat, DepthNoise(common_at_1m=0, hole_rate=0), draws).std()), 4)     # 0.0014 m x 2^2
+    0.0056
+    """
+    squared = np.where(np.isfinite(depth_m), depth_m, 0.0) ** 2
+    seen = depth_m + (noise.deviation_at_1m * draws.spread + noise.common_at_1m * draws.wave) * squared
+    return np.where(draws.patches < noise.hole_rate, np.inf, seen)
+
+
+def in_millimetres(depth_m: NDArray[np.float64], min_depth_m: float, max_depth_m: float) -> NDArray[np.uint16]:
+    """Depths as a camera delivers them: whole millimetres, 16 bits, 0 where nothing was measured.
+
+    >>> in_millimetres(np.array([[0.39, 0.4, 1.2344, 3.0, 3.01, np.inf]]), 0.4, 3.0).tolist()
+    [[0, 400, 1234, 3000, 0, 0]]
+    """
+    millimetres = np.rint(1000 * np.where(np.isfinite(depth_m), depth_m, 0.0))
+    measured = (millimetres >= 1000 * min_depth_m) & (millimetres <= min(1000 * max_depth_m, MOST_MM))
+    return np.where(measured, millimetres, 0).astype(np.uint16)
