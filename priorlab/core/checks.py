@@ -43,7 +43,10 @@ def check_image(name: str, image: ArrayLike, dtype: type = bool) -> NDArray:
 
 def check_poses(name: str, poses: ArrayLike) -> NDArray[np.float64]:
     """Return finite (N, 3) poses x, y, theta, or say what is wrong with them."""
-    array = np.asarray(poses, dtype=np.float64)
+    try:
+        array = np.asarray(poses, dtype=np.float64)
+    except (TypeError, ValueError):  # words, or rows of different lengths
+        raise ValueError(f"{name} must be rows of three numbers x, y, theta, got {str(poses)[:60]}") from None
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name} must have shape (N, 3) for x, y, theta, got shape {array.shape}")
     if not np.isfinite(array).all():

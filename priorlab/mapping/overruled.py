@@ -4,12 +4,25 @@ from __future__ import annotations
 
 import warnings
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from priorlab.core.grid_map import Prior
 from priorlab.core.log_odds import TIE, log_odds
 
 
 class OverruledSensorWarning(UserWarning):
     """The prior is surer than the sensor: readings that confirm the plan turn the map against it."""
+
+
+def is_overruled(p_wall: ArrayLike, p_space: ArrayLike, p_free: float, p_occupied: float, lam: float = 1.0) -> NDArray[np.bool_]:
+    """True for pairs of EFFECTIVE priors that break eq. 2.22; arrays broadcast. `overruled_readings` says why.
+
+    >>> is_overruled(p_wall=0.18, p_space=[0.81, 0.9], p_free=0.9, p_occupied=0.1).tolist()
+    [False, True]
+    """
+    free, occupied = log_odds([p_free, p_occupied])
+    return (lam * log_odds(p_space) >= free - TIE) | (lam * log_odds(p_wall) <= occupied + TIE)
 
 
 def overruled_readings(prior: Prior, p_free: float, p_occupied: float, lam: float = 1.0) -> str | None:
@@ -30,6 +43,8 @@ def overruled_readings(prior: Prior, p_free: float, p_occupied: float, lam: floa
     >>> overruled_readings(Prior(0.2, 1.0), p_free=0.8, p_occupied=0.1)
     'the effective p_space 0.9 must lie below the p_free 0.8 of the sensor (eq. 2.22): each free look makes space less free'
     """
+    if not is_overruled(prior.effective_p_wall, prior.effective_p_space, p_free, p_occupied, lam):
+        return None
     space, wall = log_odds([prior.effective_p_space, prior.effective_p_wall])
     free, occupied = log_odds([p_free, p_occupied])
     faults = []
@@ -45,7 +60,7 @@ def overruled_readings(prior: Prior, p_free: float, p_occupied: float, lam: floa
             f"the effective p_wall {prior.effective_p_wall:.3g} must lie above the p_occupied {p_occupied:g} of the sensor "
             f"(eq. 2.22): each wall look {what}"
         )
-    return "; ".join(faults) or None
+    return "; ".join(faults)
 
 
 def warn_when_overruled(prior: Prior | None, p_free: float, p_occupied: float, lam: float, stacklevel: int = 3) -> None:

@@ -106,6 +106,8 @@ class Experiment:
             is_wall=self.wall_cells,
             total=self.evidence.total,
             slope=slope,
+            lam=self.lam,
+            sensor=self.evidence.sensor,
         )
 
     def _steps(self, cells: NDArray[np.bool_], slope: NDArray[np.float64]) -> Steps:

@@ -10,10 +10,24 @@ from numpy.typing import ArrayLike, NDArray
 from priorlab.optimize.plateaus import Plateau
 
 BOUNDS = (0.1, 1.0)
-"""Eq. 4.19: p_wall and p_space, before the factor."""
+"""Eq. 4.19: p_wall and p_space, before the factor 0.9."""
 
 FLOOR = 0.4
 """Eq. 4.19: 1/precision and 1/recall below 2.5, so both above 40 %."""
+
+
+def bounds_for(factor: float) -> tuple[float, float]:
+    """Eq. 4.19's bounds for priors with another factor.
+
+    They are (0.1, 1) as long as a factor keeps 1 below certainty; with a factor of 1 or more they are those that give the same
+    effective priors as the thesis's, 0.09 to 0.9.
+
+    >>> bounds_for(0.9), bounds_for(1.0)
+    ((0.1, 1.0), (0.09, 0.9))
+    """
+    if factor < 1:
+        return BOUNDS
+    return round(0.9 * BOUNDS[0] / factor, 12), round(0.9 * BOUNDS[1] / factor, 12)
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +41,7 @@ class Front:
     name : "exact" or how it was searched
     note : a sentence when the front is empty, else ""
     ranges : for each point all its plateaus, when they are known: the pair above is the middle of the largest
+    overruled : (N,) True where the prior breaks eq. 2.22 with the sensor (`overruled_readings`); None when nobody asked
     """
 
     p_wall: NDArray[np.float64]
@@ -36,6 +51,7 @@ class Front:
     name: str = "front"
     note: str = ""
     ranges: tuple[tuple[Plateau, ...], ...] = field(default=(), repr=False)
+    overruled: NDArray[np.bool_] | None = field(default=None, repr=False)
 
     def __len__(self) -> int:
         return len(self.p_wall)
@@ -63,9 +79,13 @@ class Front:
         if not len(self):
             return f"<p>{self.name} front: empty; {self.note}</p>"
         names = ("p_wall", "p_space", "precision", "recall")
-        head = "".join(f"<th scope='col'>{name}</th>" for name in names)
+        known = self.overruled is not None
+        head = "".join(f"<th scope='col'>{name}</th>" for name in (*names, *(["eq. 2.22"] if known else [])))
         shown = np.unique(np.linspace(0, len(self) - 1, min(len(self), 12)).round().astype(int))
-        rows = "".join("<tr>" + "".join(f"<td>{getattr(self, name)[i]:.3f}</td>" for name in names) + "</tr>" for i in shown)
+        cells = [[f"{getattr(self, name)[i]:.3f}" for name in names] for i in shown]
+        if self.overruled is not None:
+            cells = [[*row, "broken" if self.overruled[i] else "kept"] for row, i in zip(cells, shown, strict=True)]
+        rows = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in cells)
         caption = f"{self.name} front: {len(shown)} of {len(self)} priors, hypervolume {self.hypervolume:.4f}"
         return f"<table><caption>{caption}</caption><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
 

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from priorlab.core.checks import check_rng
 from priorlab.core.measures import share
+from priorlab.core.progress import Progress
 from priorlab.optimize.experiment import Experiment
-from priorlab.optimize.front import BOUNDS, FLOOR, Front, non_dominated
+from priorlab.optimize.front import FLOOR, Front, non_dominated
 from priorlab.optimize.sweep import Sweep
 
 _LEAST = 1e-6
@@ -24,8 +25,9 @@ def pareto_front(
     rng: np.random.Generator,
     population: int = 60,
     generations: int = 40,
-    bounds: tuple[float, float] = BOUNDS,
+    bounds: tuple[float, float] | None = None,
     floor: float = FLOOR,
+    progress: Progress | None = None,
 ) -> Front:
     """Search the Pareto front of precision and recall with NSGA-II.
 
@@ -38,8 +40,9 @@ def pareto_front(
     experiment : scored exactly for every pair that the search tries
     rng : draws the random pairs and pymoo's seed
     population, generations : size of the search
-    bounds : of p_wall and p_space, before the factor
+    bounds : of p_wall and p_space, before the factor; (0.1, 1) with the thesis's factor (`bounds_for`)
     floor : precision and recall must both lie above it
+    progress : called with the generations done and the generations to do
 
     Returns
     -------
@@ -49,8 +52,9 @@ def pareto_front(
         raise ValueError(f"the search must have a population of 2 and 1 generation or more, got {population} and {generations}")
     rng = check_rng(rng)
     sweep = experiment.sweep()
+    bounds = sweep.checked(bounds)
     first = _first_population(rng, population, bounds)
-    found = _search(sweep, first, int(rng.integers(2**31)), population, generations, bounds, floor)
+    found = _search(sweep, first, int(rng.integers(2**31)), population, generations, bounds, floor, progress)
     precision, recall = _objectives(sweep, found)
     allowed = (precision > floor) & (recall > floor)
     found, precision, recall = found[allowed], precision[allowed], recall[allowed]
@@ -58,7 +62,8 @@ def pareto_front(
     kept = kept[np.diff(precision[kept], prepend=np.inf) != 0]  # sorted by precision: unique by objective
     name = f"NSGA-II {population} x {generations}"
     note = "" if kept.size else f"the search found no prior with precision and recall above {100 * floor:g} % (eq. 4.19)"
-    return Front(found[kept, 0], found[kept, 1], precision[kept], recall[kept], name, note)
+    overruled = sweep.overruled(found[kept, 0], found[kept, 1])
+    return Front(found[kept, 0], found[kept, 1], precision[kept], recall[kept], name, note, overruled=overruled)
 
 
 def _first_population(rng: np.random.Generator, population: int, bounds: tuple[float, float]) -> NDArray[np.float64]:
@@ -76,6 +81,7 @@ def _search(
     generations: int,
     bounds: tuple[float, float],
     floor: float,
+    progress: Progress | None,
 ) -> NDArray[np.float64]:
     """(N, 2) the last population of pymoo's NSGA-II, feasible or not."""
     from pymoo.algorithms.moo.nsga2 import NSGA2  # half a second to import: only who searches waits for it
@@ -92,8 +98,14 @@ def _search(
 
     problem = PriorChoice(n_var=2, n_obj=2, n_ieq_constr=2, xl=bounds[0], xu=bounds[1])
     algorithm = NSGA2(pop_size=population, sampling=first)
+
+    def tell(search: NSGA2) -> None:
+        """pymoo's call after every generation; what it raises ends the search."""
+        if progress:
+            progress(search.n_gen, generations)
+
     with _global_generator_kept():
-        result = minimize(problem, algorithm, ("n_gen", generations), seed=seed, verbose=False)
+        result = minimize(problem, algorithm, ("n_gen", generations), seed=seed, verbose=False, callback=tell)
     return np.atleast_2d(result.pop.get("X")).astype(np.float64)
 
 

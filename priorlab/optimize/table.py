@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,8 @@ class Table:
     tp, fp : (A, B) true and false pixels detected
     positives, negatives : counted true-wall and empty pixels
     beta : of F-beta
+    factor : of the priors
+    overruled : (A, B) True where the pair breaks eq. 2.22 with the sensor (`overruled_readings`); None when nobody asked
     """
 
     p_wall: NDArray[np.float64]
@@ -30,6 +33,8 @@ class Table:
     positives: int
     negatives: int
     beta: float = 2.0
+    factor: float = 0.9
+    overruled: NDArray[np.bool_] | None = field(default=None, repr=False)
 
     @cached_property
     def precision(self) -> NDArray[np.float64]:
@@ -57,6 +62,24 @@ class Table:
         rows, cols = np.nonzero(values == _top(values))
         return np.column_stack([self.p_wall[rows], self.p_space[cols]])
 
+    def records(self) -> list[dict[str, Any]]:
+        """A row for each pair, ready for a file or a data frame: the pair, its effective values, the measures, eq. 2.22."""
+        walls, spaces = np.meshgrid(self.p_wall, self.p_space, indexing="ij")
+        columns: dict[str, NDArray[Any]] = {
+            "p_wall": walls,
+            "p_space": spaces,
+            "effective_p_wall": walls * self.factor,
+            "effective_p_space": spaces * self.factor,
+            "precision": self.precision,
+            "recall": self.recall,
+            "false_positive_rate": self.false_positive_rate,
+            "f_beta": self.f_beta,
+        }
+        if self.overruled is not None:
+            columns["breaks_eq_2_22"] = self.overruled
+        values = [column.ravel().tolist() for column in columns.values()]
+        return [dict(zip(columns, row, strict=True)) for row in zip(*values, strict=True)]
+
     def __repr__(self) -> str:
         rows, cols = self.tp.shape
         tops = f"precision {_top(self.precision):.3f}, recall {_top(self.recall):.3f}, F{self.beta:g} {_top(self.f_beta):.3f}"
@@ -67,11 +90,14 @@ class Table:
         if max(rows, cols) > 12:
             return f"<p>{self!r}</p>"
         head = "".join(f"<th scope='col'>{p:.3g}</th>" for p in self.p_space)
+        broken = np.zeros((rows, cols), dtype=bool) if self.overruled is None else self.overruled
         body = "".join(
-            f"<tr><th scope='row'>{p:.3g}</th>" + "".join(f"<td>{value:.2f}</td>" for value in row) + "</tr>"
-            for p, row in zip(self.p_wall, self.f_beta, strict=True)
+            f"<tr><th scope='row'>{p:.3g}</th>"
+            + "".join(f"<td>{value:.2f}{'*' if star else ''}</td>" for value, star in zip(row, stars, strict=True))
+            + "</tr>"
+            for p, row, stars in zip(self.p_wall, self.f_beta, broken, strict=True)
         )
-        caption = f"F{self.beta:g}: p_wall down, p_space across"
+        caption = f"F{self.beta:g}: p_wall down, p_space across" + ("; * breaks eq. 2.22" if broken.any() else "")
         return f"<table><caption>{caption}</caption><thead><tr><th></th>{head}</tr></thead><tbody>{body}</tbody></table>"
 
 

@@ -1,5 +1,6 @@
 """NSGA-II against the exact front, which it is not told."""
 
+import dataclasses
 import subprocess
 import sys
 
@@ -78,6 +79,31 @@ def test_pareto_front_of_walls_that_nobody_detects_is_empty(noisy_flat):
     blank = Truth(some.truth.walls & False, some.truth.ignore)
     found = pareto_front(Experiment(some.walls, some.evidence, blank), np.random.default_rng(0), population=10, generations=3)
     assert len(found) == 0 and found.note
+
+
+def test_pareto_front_says_how_far_it_is_and_can_be_interrupted(flat):
+    told = []
+    search = dict(population=10, generations=4)
+    quiet = pareto_front(flat, np.random.default_rng(7), **search)
+    loud = pareto_front(flat, np.random.default_rng(7), **search, progress=lambda done, to_do: told.append((done, to_do)))
+    assert told == [(1, 4), (2, 4), (3, 4), (4, 4)]
+    np.testing.assert_array_equal(loud.priors, quiet.priors)
+
+    def interrupt(done, to_do):
+        raise KeyboardInterrupt
+
+    state = np.random.get_state()[1].tolist()  # noqa: NPY002
+    with pytest.raises(KeyboardInterrupt):
+        pareto_front(flat, np.random.default_rng(7), **search, progress=interrupt)
+    assert np.random.get_state()[1].tolist() == state  # noqa: NPY002
+    np.testing.assert_array_equal(pareto_front(flat, np.random.default_rng(7), **search).priors, quiet.priors)
+
+
+def test_pareto_front_with_another_factor_searches_the_same_effective_priors(flat):
+    found = pareto_front(dataclasses.replace(flat, factor=1.0), np.random.default_rng(3), population=20, generations=5)
+    assert len(found) and ((found.priors >= 0.09) & (found.priors <= 0.9)).all()
+    with pytest.raises(ValueError, match=r"the effective bounds must lie strictly between 0 and 1, got 1\.2 x 0\.9 = 1\.08"):
+        pareto_front(flat, np.random.default_rng(0), bounds=(0.1, 1.2))
 
 
 def test_pareto_front_refuses_a_search_of_nobody(flat):

@@ -1,6 +1,7 @@
 """The exact sweep against maps built and counted one by one, ties included."""
 
 import ast
+import dataclasses
 import math
 from pathlib import Path
 
@@ -16,6 +17,7 @@ from priorlab.core.grid_map import Prior
 from priorlab.core.log_odds import log_odds
 from priorlab.core.readings import Evidence
 from priorlab.core.sensor import RangeSensor
+from priorlab.mapping.overruled import overruled_readings
 from priorlab.optimize.experiment import Experiment
 
 pytestmark = pytest.mark.filterwarnings("ignore::priorlab.mapping.overruled.OverruledSensorWarning")
@@ -152,6 +154,70 @@ def test_sweep_critical_is_where_each_cell_flips(small_case):
     fixed = np.isnan(critical)
     assert fixed.any()
     np.testing.assert_array_equal(fixed, experiment.evidence.looks == 1)
+
+
+@settings(max_examples=30, deadline=None)
+@given(
+    seed=st.integers(0, 10**6),
+    lam=st.sampled_from(LAMS),
+    p_free=st.sampled_from([0.8, 0.9]),
+    p_occupied=st.sampled_from([0.1, 0.2]),
+)
+def test_sweep_knows_which_priors_break_eq_2_22(small_case, seed, lam, p_free, p_occupied):
+    """The column says what the update warns of, pair by pair."""
+    experiment, _ = small_case(seed, lam=lam)
+    evidence = dataclasses.replace(experiment.evidence, sensor=RangeSensor(p_free=p_free, p_occupied=p_occupied))
+    table = dataclasses.replace(experiment, evidence=evidence).sweep().grid()
+    expected = [
+        [overruled_readings(Prior(p_wall, p_space), p_free, p_occupied, lam) is not None for p_space in table.p_space]
+        for p_wall in table.p_wall
+    ]
+    assert table.overruled.tolist() == expected
+    assert table.overruled.any() == (lam > 0.5)  # half the prior taken off is never too much here
+
+
+def test_overruled_priors_of_the_thesis_grid_are_those_of_eq_2_22(small_case):
+    """Effective p_space 0.9 p >= 0.9 only at 1; effective p_wall 0.9 p <= 0.1 only at 0.1; with 0.8 / 0.2 also 0.9 and 0.2."""
+    experiment, _ = small_case(0)
+    strong = experiment.sweep().grid()
+    assert (strong.overruled == ((strong.p_wall[:, None] == 0.1) | (strong.p_space == 1.0))).all()
+    weak = dataclasses.replace(experiment.evidence, sensor=RangeSensor(p_free=0.8, p_occupied=0.2))
+    weak = dataclasses.replace(experiment, evidence=weak).sweep().grid()
+    assert (weak.overruled == ((weak.p_wall[:, None] <= 0.2) | (weak.p_space >= 0.9))).all()
+    assert "* breaks eq. 2.22" in strong._repr_html_() and strong._repr_html_().count("*</td>") == 19
+
+
+def test_table_records_are_rows_with_everything_that_is_known(small_case):
+    table = small_case(11, cell_size=2)[0].sweep().grid([0.2, 0.3], [0.5, 0.8, 1.0])
+    rows = table.records()
+    assert [(row["p_wall"], row["p_space"]) for row in rows] == [(a, b) for a in (0.2, 0.3) for b in (0.5, 0.8, 1.0)]
+    last = rows[-1]
+    assert last["effective_p_space"] == 0.9 and last["breaks_eq_2_22"] is True and rows[0]["breaks_eq_2_22"] is False
+    for measure in ("precision", "recall", "f_beta", "false_positive_rate"):
+        np.testing.assert_equal(last[measure], float(getattr(table, measure)[1, 2]))
+
+
+def test_front_knows_which_of_its_priors_break_eq_2_22(noisy_flat):
+    sweep = noisy_flat().sweep()
+    front = sweep.front()
+    assert (front.overruled == sweep.overruled(front.p_wall, front.p_space)).all()
+    page = front._repr_html_()
+    shown = min(len(front), 12)
+    assert page.count("<td>kept</td>") + page.count("<td>broken</td>") == shown and "eq. 2.22" in page
+
+
+@pytest.mark.parametrize("factor", [1.0, 1.2])
+def test_sweep_with_another_factor_covers_the_same_effective_priors(noisy_flat, factor):
+    """p x factor is what counts: the front, the optimum and the grid are those of the thesis's factor."""
+    thesis, other = (dataclasses.replace(noisy_flat(), factor=f).sweep() for f in (0.9, factor))
+    assert other.bounds == pytest.approx((0.09 / factor, 0.9 / factor))
+    np.testing.assert_array_equal(other.front().precision, thesis.front().precision)
+    np.testing.assert_allclose(other.front().priors * factor, thesis.front().priors * 0.9, atol=1e-12)
+    for measure in ("precision", "recall", "f_beta"):
+        assert other.best(measure).value == thesis.best(measure).value
+    np.testing.assert_array_equal(other.grid().tp, thesis.grid().tp)
+    with pytest.raises(ValueError, match="the effective bounds must lie strictly between 0 and 1"):
+        other.front(bounds=(0.1, 1.0))
 
 
 def test_sweep_says_what_is_wrong(small_case):

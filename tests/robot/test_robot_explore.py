@@ -105,6 +105,8 @@ def test_explore_is_the_same_for_the_same_seed():
     ("survey", "keywords", "sentence"),
     [
         ([], {}, "survey must hold at least one pose x, y, theta, got none"),
+        ([MIDDLE, [1.0, 2.0]], {}, r"survey must be rows of three numbers x, y, theta, got \[\[17.0"),
+        ([["a", "b", "c"]], {}, r"survey must be rows of three numbers x, y, theta, got \[\['a'"),
         ([[1.0, 2.0]], {}, r"survey must have shape \(N, 3\)"),
         ([MIDDLE, [math.nan, 2, 0]], {}, r"survey must be finite numbers, got \[nan, 2.0, 0.0\] in row 1"),
         ([MIDDLE, [34.0, 2, 0]], {}, "survey must stay on the map of 34 x 24 pixels, got x, y = 34, 2 in row 1"),
