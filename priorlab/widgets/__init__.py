@@ -2,4 +2,6 @@
 
 from priorlab.widgets.map_lab import MapLab as MapLab
 from priorlab.widgets.one_cell import OneCellLab as OneCellLab
+from priorlab.widgets.prior_lab import PriorLab as PriorLab
+from priorlab.widgets.sweep_lab import SweepLab as SweepLab
 from priorlab.widgets.update_steps import UpdateSteps as UpdateSteps
