@@ -55,7 +55,7 @@ def detect_corners(drawing: Drawing, n_corners: int | None = None, method: Metho
     if n_corners < 1:
         raise ValueError(f"n_corners must be at least 1, got {n_corners}")
     sheet = prepare(drawing, method)
-    return corners_of(sheet, n_corners, method) / sheet.scale
+    return sheet.points_to_input(corners_of(sheet, n_corners, method))
 
 
 def corners_of(sheet: Sheet, n_corners: int, method: Method) -> NDArray[np.float64]:

@@ -13,7 +13,6 @@ from numpy.typing import ArrayLike, NDArray
 from priorlab.core.drawing import Door, Drawing
 from priorlab.drawing.candidates import DOOR, TESTS, DoorSearch, asked_tests, wedges
 from priorlab.drawing.connectivity import connect
-from priorlab.drawing.door_ink import scaled_doors
 from priorlab.drawing.door_tests import ASK, Scene, Shortlist, passed
 from priorlab.drawing.jambs import with_measured_jambs
 from priorlab.drawing.method import ROBUST, Method
@@ -44,7 +43,7 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
         points = np.empty((0, 2))
     if points.ndim != 2 or points.shape[1] != 2 or not np.isfinite(points).all():
         raise ValueError(f"corners must be finite numbers of shape (N, 2) for x, y, got shape {points.shape}")
-    xy = points * sheet.scale
+    xy = sheet.points_to_work(points)
     longest = method.max_side_share * float(np.sqrt(sheet.lines.size))
     connected = connect(walkable(sheet, method), xy, method.min_side / 2, longest * np.sqrt(2), method.reach)
     scene = Scene(sheet, method, xy, connected)
@@ -86,4 +85,4 @@ def _as_doors(symbols: Symbols, sheet: Sheet, method: Method) -> tuple[Door, ...
         hinge, strike, tip = ((float(p[k, 0]), float(p[k, 1])) for p in (symbols.hinge, symbols.strike, symbols.tip))
         door = Door(hinge, strike, tip, kind=str(kinds[k]), quality=round(float(symbols.quality[k]), 4))
         found.append(with_measured_jambs(door, sheet.walls) if method.measure_jambs else door)
-    return scaled_doors(found, 1 / sheet.scale)
+    return sheet.doors_to_input(found)

@@ -105,7 +105,7 @@ def explain_candidate(seen: DoorSearch | Extraction, candidate: int | Sequence[i
         some, place = _competitors(search, scene, test, triple, row)
         readings = tuple(_reading(measure, place) for measure in ASK[test](some))
         fine = all(reading.passed for reading in readings)
-        pixels = {name: points / search.sheet.scale for name, points in _pixels(test, some, place).items()}
+        pixels = {name: search.sheet.points_to_input(points) for name, points in _pixels(test, some, place).items()}
         results.append(TestResult(test, QUESTIONS[test], readings, fine, asked, pixels))
         asked &= fine
     return tuple(results)
@@ -115,7 +115,7 @@ def scene_of(search: DoorSearch) -> Scene:
     """What the candidates of a search were held against."""
     connected = np.zeros((len(search.corners),) * 2, dtype=bool)
     connected[search.edges[:, 0], search.edges[:, 1]] = True
-    return Scene(search.sheet, search.method, search.corners * search.sheet.scale, connected | connected.T)
+    return Scene(search.sheet, search.method, search.sheet.points_to_work(search.corners), connected | connected.T)
 
 
 def _triple(search: DoorSearch, candidate: int | Sequence[int]) -> tuple[NDArray[np.int64], int | None]:

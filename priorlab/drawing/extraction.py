@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from priorlab.core.drawing import Door, Drawing, Walls
 from priorlab.drawing.candidates import DoorSearch
 from priorlab.drawing.corners import corners_of
+from priorlab.drawing.door_ink import scaled_doors
 from priorlab.drawing.doors import search_doors
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.preprocessing import Sheet, prepare
@@ -106,9 +107,9 @@ def extract_walls(drawing: Drawing, method: Method = ROBUST, progress: Callable[
     say("corners", 0.05)
     corners = corners_of(sheet, method.n_corners, method)
     say("doors", 0.1)
-    door_search = search_doors(sheet, corners / sheet.scale, method)
+    door_search = search_doors(sheet, sheet.points_to_input(corners), method)
     say("walls", 0.6)
-    wall_search = search_walls(sheet, door_search.doors, corners, method)
+    wall_search = search_walls(sheet, scaled_doors(sheet.doors_to_work(door_search.doors), 1 / sheet.scale), corners, method)
     say("done", 1.0)
     walls = as_walls(drawing, wall_search.walls)
     lost_at = None if walls.mask.any() else _lost_at(sheet, door_search, method)
@@ -145,6 +146,8 @@ def _notes(
         return (f"{name} shows no ink: it has one colour all over.",)
     if sheet.inverted:
         notes.append(f"{name} is drawn light on dark paper; the light lines were read as ink.")
+    if sheet.turn is not None:
+        notes.append(f"{name} lies askew by {-sheet.turn.degrees:.1f} degrees: it was turned straight to be read.")
     if sheet.scale > 1:
         notes.append(f"{name} is small ({max(drawing.shape)} px): it was worked on at {sheet.scale} times its size.")
     if not doors.doors:

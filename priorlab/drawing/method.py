@@ -20,6 +20,7 @@ class Method:
     component_share : corners and line weights only on ink components longer than this share of M; 0 takes all ink
     line_darkness : distance from the paper above which a pixel is ink of a line (0-255)
     wall_darkness : the same for walls; None takes Otsu's threshold
+    deskew : a sheet laid askew is turned straight first
     upscale_below : drawings with a shorter long side are doubled first; 0 never
     min_side, max_side_share : shortest side of a door in pixels, longest as a share of the root of the sheet's area
     thin_share : ink thicker than this share of M is no leaf and no arc, and walks do not cross it; 0 lets them
@@ -53,6 +54,7 @@ class Method:
     component_share: float = 0.0
     line_darkness: int = 127
     wall_darkness: int | None = 127
+    deskew: bool = False
     upscale_below: int = 0
     min_side: float = 8.0
     max_side_share: float = 0.25
@@ -100,6 +102,7 @@ ROBUST = Method(
     component_share=0.04,
     line_darkness=55,
     wall_darkness=None,
+    deskew=True,
     upscale_below=400,
     min_side=12.0,
     max_side_share=0.12,

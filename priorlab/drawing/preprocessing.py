@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.drawing import Drawing
+from priorlab.drawing.deskew import find_skew, turn_by
 from priorlab.drawing.method import Method
+from priorlab.drawing.sheet import Sheet
 
 LEAST_CONTRAST = 12
 """Nothing fainter than this, of 255, is ink."""
@@ -24,55 +24,18 @@ ROOM_SHARE = 0.03
 """An area this wide, as a share of the long side, is no line."""
 
 
-@dataclass(frozen=True, eq=False)
-class Sheet:
-    """A drawing made ready: what is ink, how dark, in the pixels we work in.
-
-    Parameters
-    ----------
-    darkness : (height, width) uint8, largest channel distance from the colour of the paper
-    lines : (height, width) bool, all ink, thin grey leaves and arcs included
-    walls : (height, width) bool, ink dark enough for a wall
-    hue : (height, width) uint8 hue in 0-179, or 255 where a pixel has no colour
-    scale : working pixels per pixel of the drawing that came in
-    inverted : True when the paper is darker than the ink
-    input_shape : (height, width) of the drawing that came in
-    """
-
-    darkness: NDArray[np.uint8]
-    lines: NDArray[np.bool_]
-    walls: NDArray[np.bool_]
-    hue: NDArray[np.uint8]
-    scale: int
-    inverted: bool
-    input_shape: tuple[int, int]
-
-    @property
-    def long_side(self) -> int:
-        """M, the long side in working pixels."""
-        return max(self.lines.shape)
-
-    def to_input(self, mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """A mask in working pixels as one in the drawing's own pixels."""
-        if self.scale == 1:
-            return mask
-        height, width = self.input_shape
-        share = mask.reshape(height, self.scale, width, self.scale).mean(axis=(1, 3))
-        return share >= 0.5
-
-    def to_work(self, mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """A mask in the drawing's own pixels as one in working pixels."""
-        return mask.repeat(self.scale, axis=0).repeat(self.scale, axis=1) if self.scale > 1 else mask
-
-
 def prepare(drawing: Drawing, method: Method) -> Sheet:
     """Find the paper, the ink and its colours.
 
     The paper is the median colour, so a white-on-black drawing needs no other treatment than a black-on-white one. Where dark
     surroundings outweigh light rooms, as in maps, the lightest grey is the paper.
-    A small drawing is doubled first (`Method.upscale_below`).
+    A sheet that was laid askew is turned straight first (`Method.deskew`), a small one is doubled (`Method.upscale_below`).
     """
     image = drawing.grey if drawing.colour is None else drawing.colour
+    degrees = -find_skew(drawing.grey) if method.deskew else 0.0
+    turn = turn_by(degrees, drawing.shape) if degrees else None
+    if turn is not None:
+        image = turn.image(image)
     inverted = is_light_on_dark(drawing.grey)
     if not inverted and np.median(drawing.grey) < 128:  # dark surroundings, light rooms: the paper is not the commonest
         paper: int | None = int(drawing.grey.max())
@@ -96,6 +59,7 @@ def prepare(drawing: Drawing, method: Method) -> Sheet:
         scale=scale,
         inverted=inverted,
         input_shape=drawing.shape,
+        turn=turn,
     )
 
 
