@@ -14,8 +14,8 @@ from priorlab.core.sensor import RangeSensor
 THESIS_DRAWINGS = ("flat_north", "flat_south", "office_section_a", "office_section_b", "office_section_c")
 """In the order of the thesis's drawings a to e (fig. 4.3 and 4.4)."""
 
-QUICK, THOROUGH, DENSE = 1.2, 0.3, 0.1
-"""Distance between the poses of a survey in sensor ranges: about 1.2, 2.3 and 6 looks at a seen cell."""
+QUICK, THOROUGH, DENSE, FINEST = 1.2, 0.3, 0.1, 0.05
+"""Distance between the poses of a survey in sensor ranges: about 1.2, 2.3, 6 and 12 looks at a seen cell."""
 
 
 def thesis_plan(name: str, spacing: float = THOROUGH) -> FloorPlan:
@@ -24,7 +24,7 @@ def thesis_plan(name: str, spacing: float = THOROUGH) -> FloorPlan:
     Parameters
     ----------
     name : of any bundled building
-    spacing : between the poses, in sensor ranges: `QUICK`, `THOROUGH`, `DENSE` or any other
+    spacing : between the poses, in sensor ranges: `QUICK`, `THOROUGH`, `DENSE`, `FINEST` or any other
 
     >>> len(thesis_plan("flat_north", QUICK).survey) < len(thesis_plan("flat_north", DENSE).survey) / 5
     True
