@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sized
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -89,7 +90,7 @@ def bearings_of(sensor: RangeSensor) -> NDArray[np.float64]:
 
 def _check_survey(obstacles: NDArray[np.bool_], survey: ArrayLike) -> NDArray[np.float64]:
     """The survey's poses, or a sentence about the first that no robot can take."""
-    if np.size(survey) == 0:
+    if isinstance(survey, Sized) and len(survey) == 0:
         raise ValueError("survey must hold at least one pose x, y, theta, got none")
     poses = check_poses("survey", survey)
     grid = Grid(obstacles.shape)

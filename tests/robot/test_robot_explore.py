@@ -105,7 +105,7 @@ def test_explore_is_the_same_for_the_same_seed():
     ("survey", "keywords", "sentence"),
     [
         ([], {}, "survey must hold at least one pose x, y, theta, got none"),
-        ([MIDDLE, [1.0, 2.0]], {}, r"survey must be rows of three numbers x, y, theta, got \[\[17.0"),
+        ([MIDDLE, [1.0, 2.0]], {}, r"survey must be rows of three numbers x, y, theta, got \[\[17"),
         ([["a", "b", "c"]], {}, r"survey must be rows of three numbers x, y, theta, got \[\['a'"),
         ([[1.0, 2.0]], {}, r"survey must have shape \(N, 3\)"),
         ([MIDDLE, [math.nan, 2, 0]], {}, r"survey must be finite numbers, got \[nan, 2.0, 0.0\] in row 1"),
