@@ -139,6 +139,14 @@ def score_real_plans(
     return rows
 
 
+def mask_of(drawing: Drawing, reader: Reader, darkness: int | None = None) -> NDArray[np.bool_]:
+    """(height, width) walls that a method finds; a simple filter may be told its ink threshold."""
+    if isinstance(reader, Method):
+        return extract_walls(drawing, reader).walls.mask
+    options: dict[str, Any] = {} if darkness is None else {"darkness": darkness}
+    return np.asarray(reader(drawing, **options), dtype=bool)
+
+
 def score_plan(plan: MarkedPlan, title: str, reader: Reader) -> PlanRow:
     """One method on one plan."""
     if reader is not BASELINES.get(title):
@@ -182,11 +190,7 @@ def _percent(share: float) -> str:
 def _row(plan: MarkedPlan, title: str, reader: Reader, darkness: int | None) -> PlanRow:
     """Run and count."""
     start = time.perf_counter()
-    if isinstance(reader, Method):
-        mask = extract_walls(plan.drawing, reader).walls.mask
-    else:
-        options: dict[str, Any] = {} if darkness is None else {"darkness": darkness}
-        mask = np.asarray(reader(plan.drawing, **options), dtype=bool)
+    mask = mask_of(plan.drawing, reader, darkness)
     seconds = time.perf_counter() - start
     near_precision, near_recall = near_scores(mask, plan.truth, plan.tolerance)
     return PlanRow(plan.drawing.name, title, score_mask(mask, plan.truth), near_precision, near_recall, darkness, seconds)
