@@ -46,8 +46,8 @@ def parse_description(text: str, name: str = "building") -> Description:
     table = {"name": name, **tomllib.loads(text)}
     if "styles" in table:
         styles = table.pop("styles")
-        table["styles"] = {key: _record(WallStyle, value, f"styles.{key}") for key, value in styles.items()}
-    description = typing.cast(Description, _record(Description, table, "the building"))
+        table["styles"] = {key: record_of(WallStyle, value, f"styles.{key}") for key, value in styles.items()}
+    description = typing.cast(Description, record_of(Description, table, "the building"))
     for key, style in description.styles.items():
         if style.look != "single" and style.thickness < description.metres_per_pixel:
             raise ValueError(
@@ -78,7 +78,7 @@ def _check_wall(wall: parts.Wall, styles: dict[str, WallStyle], where: str) -> N
             raise ValueError(f"{where}: a wall must have a length, got {list(start)} twice in a row")
 
 
-def _record(kind: type, table: Any, where: str) -> Any:
+def record_of(kind: type, table: Any, where: str) -> Any:
     """A record of `kind` from a TOML table whose keys are its fields."""
     if not isinstance(table, dict):
         raise ValueError(f"{where} must be a table {{ key = value }}, got {table!r}")
@@ -121,7 +121,7 @@ def _value(kind: Any, value: Any, where: str, key: str) -> Any:
             for number, (one, item) in enumerate(zip(kinds, value, strict=True), start=1)
         )
     if dataclasses.is_dataclass(kind):
-        return value if isinstance(value, typing.cast(type, kind)) else _record(typing.cast(type, kind), value, where)
+        return value if isinstance(value, typing.cast(type, kind)) else record_of(typing.cast(type, kind), value, where)
     if origin is dict:
         return value
     if kind is float:

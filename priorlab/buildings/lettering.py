@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.buildings.stroke_letters import text_strokes
+
 FONTS = {
     "sans": "DejaVuSans.ttf",
     "mono": "DejaVuSansMono.ttf",
@@ -32,6 +34,18 @@ def text_polygons(text: str, font: str = "sans") -> list[NDArray[np.float64]]:
         polygons += [outline + (pen, 0.0) for outline in outlines]
         pen += advance
     return polygons
+
+
+def text_width(text: str, font: str = "sans") -> float:
+    """Width of a line of text, in heights of a capital letter; 0 of nothing.
+
+    >>> text_width("HH") > text_width("HI") > text_width("H") > 0
+    True
+    """
+    curves = text_strokes(text) if font == "stroke" else text_polygons(text, font)
+    if not curves:
+        return 0.0
+    return max(float(curve[:, 0].max()) for curve in curves) - min(float(curve[:, 0].min()) for curve in curves)
 
 
 @functools.lru_cache(maxsize=1024)

@@ -218,12 +218,13 @@ class Room:
 
 @dataclass(frozen=True)
 class Note:
-    """Free text on the sheet: its middle, height of a line in metres, turn counter-clockwise in degrees."""
+    """Free text on the sheet: its middle (or left end), height of a line in metres, turn counter-clockwise in degrees."""
 
     text: str
     at: Point
     size: float = 0.24
     turn: float = 0.0
+    align: Literal["centre", "left"] = "centre"
 
 
 @dataclass(frozen=True)

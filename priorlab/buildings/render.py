@@ -100,7 +100,7 @@ def _draw_writing(paper: Paper, layout: Layout, areas_m2: dict[str, float]) -> N
     for room in description.rooms:
         _draw_label(paper, room, areas_m2[room.name], description)
     for note in description.notes:
-        paper.text(note.text, note.at, note.size, note.turn, sheet.ink)
+        paper.text(note.text, note.at, note.size, note.turn, sheet.ink, note.align)
     for mark in description.marks:
         draw_mark(paper, mark, sheet)
     outline = np.concatenate([piece.outline for piece in layout.pieces])

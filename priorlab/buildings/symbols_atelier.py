@@ -93,7 +93,7 @@ def draw_plant(pen: Pen) -> None:
     r = min(pen.width, pen.depth) / 2
     pen.oval(0, 0, 0.55 * r)
     pen.oval(0, 0, 0.45 * r)
-    for angle in np.arange(0, 360, 72):
+    for angle in np.arange(0.0, 360.0, 72.0).tolist():
         x, y = np.cos(np.radians(angle)), np.sin(np.radians(angle))
         pen.bow(0.5 * r * x, 0.5 * r * y, 0.5 * r, 0.5 * r, angle - 60, angle + 60)
 

@@ -168,7 +168,7 @@ def draw_car(pen: Pen) -> None:
 def draw_tree(pen: Pen) -> None:
     """A crown of bows round a trunk."""
     r = min(pen.width, pen.depth) / 2
-    for angle in np.arange(0, 360, 45):
+    for angle in np.arange(0.0, 360.0, 45.0).tolist():
         x, y = 0.72 * r * np.cos(np.radians(angle)), 0.72 * r * np.sin(np.radians(angle))
         pen.bow(x, y, 0.3 * r, 0.3 * r, angle - 100, angle + 100)
     pen.oval(0, 0, 0.08 * r)
