@@ -8,11 +8,33 @@ from priorlab.figures.chapter3 import TABLE_3_1
 from priorlab.figures.chapter4 import FIGURE_4_5, FIGURE_4_7, FIGURE_4_8
 from priorlab.figures.chapter5 import FIGURE_5_8, FIGURE_5_9
 from priorlab.figures.chapter6 import FIGURE_6_6, FIGURE_6_8
+from priorlab.figures.depth_camera import FIGURE_5_12, FIGURE_5_13
+from priorlab.figures.depth_camera_maps import FIGURE_5_14, FIGURE_5_18, FIGURE_5_21, OPTIMUM_5_3
+from priorlab.figures.depth_camera_zooms import FIGURE_5_15, FIGURE_5_16, FIGURE_5_17, FIGURE_5_19, FIGURE_5_20
 from priorlab.figures.figure import Entry
+
+DEPTH_CAMERA = (
+    *(FIGURE_5_12, FIGURE_5_13, FIGURE_5_14, FIGURE_5_15, FIGURE_5_16, FIGURE_5_17, FIGURE_5_18, FIGURE_5_19, FIGURE_5_20),
+    *(FIGURE_5_21, OPTIMUM_5_3),
+)
+
+NOT_COMPUTABLE = {"fig-5-11": "photographs of the arena and of the robot"}
+"""Figures of the thesis that no computation can make, and why."""
 
 FIGURES: dict[str, Entry] = {
     entry.name: entry
-    for entry in (FIGURE_2_9, TABLE_3_1, FIGURE_4_5, FIGURE_4_7, FIGURE_4_8, FIGURE_5_8, FIGURE_5_9, FIGURE_6_6, FIGURE_6_8)
+    for entry in (
+        FIGURE_2_9,
+        TABLE_3_1,
+        FIGURE_4_5,
+        FIGURE_4_7,
+        FIGURE_4_8,
+        FIGURE_5_8,
+        FIGURE_5_9,
+        *DEPTH_CAMERA,
+        FIGURE_6_6,
+        FIGURE_6_8,
+    )
 }
 
 
@@ -21,5 +43,10 @@ def figure_named(name: str) -> Entry:
 
     >>> figure_named("fig-2-9").title
     'log odds over probability'
+    >>> figure_named("fig-5-11")
+    Traceback (most recent call last):
+    ValueError: fig-5-11 cannot be computed: it shows photographs of the arena and of the robot
     """
+    if name in NOT_COMPUTABLE:
+        raise ValueError(f"{name} cannot be computed: it shows {NOT_COMPUTABLE[name]}")
     return FIGURES[nearest_name("figure", name, list(FIGURES))]

@@ -28,7 +28,7 @@ class DepthNoise:
     """
 
     deviation_at_1m: float = 0.0014
-    common_at_1m: float = 0.003
+    common_at_1m: float = 0.001
     hole_rate: float = 0.05
     hole_side: int = 32
 

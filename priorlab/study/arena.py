@@ -21,6 +21,9 @@ from priorlab.robot.relief import Relief, raise_walls
 
 WIDTH_M, DEPTH_M, BOARD_M, BOARD_HEIGHT_M = 4.0, 3.0, 0.05, 0.6
 
+MARGIN_M = 0.25
+"""Floor round the arena on the map: a wall that is seen a little too far out must not fall off it."""
+
 INNER_M = (
     (2.175, 2.225, 0.0, 0.5),  # left, right, bottom, top: the inner middle wall, with two doorways of 60 cm
     (2.175, 2.225, 1.1, 2.0),
@@ -32,7 +35,7 @@ BOXES_M = ((0.25, 0.5, 2.5, 2.75), (3.5, 3.75, 0.25, 0.5))
 """Two boxes, 20 cm high, for those who want furniture: lower than the lens."""
 
 POSES = (
-    (0.7, 0.75, 0),  # x, y, metres; heading, degrees: the large room, from the south to the north
+    (0.7, 0.75, 0),  # x, y from the arena's lower left corner, metres; heading, degrees: the large room, from south to north
     (1.5, 0.75, 180),
     (1.1, 1.2, 270),
     (1.5, 1.6, 180),
@@ -73,8 +76,8 @@ class Arena:
 
     def __repr__(self) -> str:
         height, width = self.truth.shape
-        scale = self.metres_per_pixel
-        return f"Arena({width * scale:.1f} x {height * scale:.1f} m, {width} x {height} px, {len(self.poses)} poses)"
+        size = f"{width * self.metres_per_pixel:.1f} x {height * self.metres_per_pixel:.1f} m"
+        return f"Arena({size} with its margin, {width} x {height} px, {len(self.poses)} poses)"
 
 
 def build_arena(metres_per_pixel: float = 0.025, wall_height_m: float = BOARD_HEIGHT_M, boxes: bool = False) -> Arena:
@@ -87,24 +90,25 @@ def build_arena(metres_per_pixel: float = 0.025, wall_height_m: float = BOARD_HE
     boxes : put two low boxes in, which the plan lacks
 
     >>> build_arena()
-    Arena(4.0 x 3.0 m, 160 x 120 px, 12 poses)
+    Arena(4.5 x 3.5 m with its margin, 180 x 140 px, 12 poses)
     """
     scale = check_positive("metres_per_pixel", metres_per_pixel)
-    rows, columns = round(DEPTH_M / scale), round(WIDTH_M / scale)
+    rows, columns = (round((side + 2 * MARGIN_M) / scale) for side in (DEPTH_M, WIDTH_M))
     if min(rows, columns) < 10:
         raise ValueError(f"metres_per_pixel must leave the arena at least 10 pixels, got {scale:g}")
-    x, y = (np.arange(columns) + 0.5) * scale, (rows - np.arange(rows) - 0.5) * scale
+    x = (np.arange(columns) + 0.5) * scale - MARGIN_M
+    y = (rows - np.arange(rows) - 0.5) * scale - MARGIN_M
 
     def box(left: float, right: float, bottom: float, top: float) -> NDArray[np.bool_]:
         """The pixels whose centres lie in a rectangle, metres."""
         return ((y >= bottom) & (y < top))[:, None] & ((x >= left) & (x < right))[None]
 
-    solid = ~box(BOARD_M, WIDTH_M - BOARD_M, BOARD_M, DEPTH_M - BOARD_M)
+    solid = box(0, WIDTH_M, 0, DEPTH_M) & ~box(BOARD_M, WIDTH_M - BOARD_M, BOARD_M, DEPTH_M - BOARD_M)
     for part in INNER_M:
         solid |= box(*part)
     things = np.any([box(*part) for part in BOXES_M], axis=0) if boxes else None
     poses = np.array(POSES, dtype=np.float64)
-    poses = np.column_stack([poses[:, :2] / scale, [math.radians(degrees) for degrees in poses[:, 2]]])
+    poses = np.column_stack([(poses[:, :2] + MARGIN_M) / scale, [math.radians(degrees) for degrees in poses[:, 2]]])
     return Arena(
         truth=Truth(solid, np.zeros_like(solid), metres_per_pixel=scale),
         walls=Walls(solid.astype(np.uint8), scale, "arena"),

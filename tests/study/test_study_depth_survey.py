@@ -28,22 +28,22 @@ def survey(arena):
 def test_the_arena_is_three_by_four_metres_with_three_rooms(arena):
     import cv2
 
-    height, width = np.array(arena.truth.shape) * arena.metres_per_pixel
-    assert (height, width) == (3.0, 4.0)
+    height, width = (np.ptp(np.flatnonzero(arena.truth.walls.any(axis=axis))) + 1 for axis in (1, 0))
+    assert (height * 0.025, width * 0.025) == (3.0, 4.0)
     closed = arena.truth.walls.copy()
-    left, right = round(2.175 / 0.025), round(2.225 / 0.025)
-    closed[:, left:right] = True  # doorways shut
+    left, right = round((2.175 + 0.25) / 0.025), round((2.225 + 0.25) / 0.025)
+    closed[10:-10, left:right] = True  # doorways shut
     regions, _, stats, _ = cv2.connectedComponentsWithStats((~closed).astype(np.uint8), connectivity=4)
     areas = stats[1:, cv2.CC_STAT_AREA] * 0.025**2
-    assert regions - 1 == 3 and sorted(areas.round(1)) == [2.5, 2.5, 6.2]
+    assert regions - 2 == 3 and sorted(areas.round(1)) == [2.5, 2.5, 3.8, 6.2]  # 3.8: the floor outside
 
 
 @pytest.mark.parametrize("scale", [0.02, 0.025, 0.05])
 def test_the_plan_is_the_truth_at_every_scale(scale):
     arena = build_arena(scale)
     assert np.array_equal(arena.walls.mask, arena.truth.walls) and not arena.truth.ignore.any()
-    assert arena.truth.walls.mean() == pytest.approx(0.071, abs=0.03)
-    assert arena.poses[:, :2].max(axis=0) * scale == pytest.approx([3.3, 2.25])
+    assert arena.truth.walls.sum() * scale**2 == pytest.approx(0.05 * (2 * 4 + 2 * 2.9 + 1.8 + 1.775), rel=0.25)
+    assert arena.poses[:, :2].max(axis=0) * scale == pytest.approx([3.55, 2.5])
 
 
 def test_poses_look_along_four_headings_and_past_the_blind_zone(arena):
