@@ -12,6 +12,7 @@ from priorlab.figures.depth_camera import FIGURE_5_12, FIGURE_5_13
 from priorlab.figures.depth_camera_maps import FIGURE_5_14, FIGURE_5_18, FIGURE_5_21, OPTIMUM_5_3
 from priorlab.figures.depth_camera_zooms import FIGURE_5_15, FIGURE_5_16, FIGURE_5_17, FIGURE_5_19, FIGURE_5_20
 from priorlab.figures.figure import Entry
+from priorlab.figures.scaling import SCALING
 
 DEPTH_CAMERA = (
     *(FIGURE_5_12, FIGURE_5_13, FIGURE_5_14, FIGURE_5_15, FIGURE_5_16, FIGURE_5_17, FIGURE_5_18, FIGURE_5_19, FIGURE_5_20),
@@ -34,6 +35,7 @@ FIGURES: dict[str, Entry] = {
         *DEPTH_CAMERA,
         FIGURE_6_6,
         FIGURE_6_8,
+        SCALING,
     )
 }
 

@@ -3,6 +3,7 @@ from .benefit import gain_by_looks as gain_by_looks
 from .benefit import score_bars as score_bars
 from .depth_camera import depth_image as depth_image
 from .depth_camera import strip_ranges as strip_ranges
+from .cost import cost as cost
 from .extraction import corners as corners
 from .extraction import doors as doors
 from .extraction import drawing as drawing
