@@ -5,15 +5,19 @@ from __future__ import annotations
 from collections import Counter
 
 import numpy as np
+from numpy.typing import NDArray
 
 from priorlab.buildings.degradations import degrade
 from priorlab.buildings.floor_plans import draw_plan
 from priorlab.buildings.furnishing import Label, furnish
+from priorlab.buildings.layout import lay_out
+from priorlab.buildings.paper import coverage
 from priorlab.buildings.parts import Description, Furniture, Room, Sheet, Stairs
 from priorlab.buildings.recipe import Recipe
 from priorlab.buildings.room_words import WORDS
 from priorlab.buildings.shell import outline_of, shell_of
 from priorlab.buildings.surroundings import STAMP, Site, margins_of, surround
+from priorlab.buildings.wall_masks import wall_masks
 from priorlab.core.building import Truth
 from priorlab.core.drawing import Drawing
 
@@ -83,6 +87,17 @@ def draw_recipe(recipe: Recipe) -> tuple[Drawing, Truth]:
     """The drawing of a recipe as it arrives, and its exact truth; the same every time."""
     drawing, truth = draw_plan(grow_building(recipe))
     return degrade(drawing, truth, recipe.degradations, np.random.default_rng([recipe.seed, 1]))
+
+
+def wall_area(recipe: Recipe) -> NDArray[np.bool_]:
+    """(height, width) True on the bodies of the walls, between the lines of hollow ones too; skewed as the drawing is."""
+    layout = lay_out(grow_building(recipe))
+    gaps = [opening.opening.outline for opening in (*layout.doors, *layout.windows)]
+    body = coverage(wall_masks(layout, gaps).body) >= 0.5
+    nothing = np.zeros_like(body)
+    white = Drawing(np.full(body.shape, 255, np.uint8))
+    skews = [degradation for degradation in recipe.degradations if degradation.kind == "skew"]
+    return degrade(white, Truth(body, nothing), skews, np.random.default_rng(0))[1].walls
 
 
 def _names(uses: list[str], words: dict[str, str]) -> list[str]:
