@@ -36,6 +36,7 @@ class Exercise:
     hints : told one after the other, one for each wrong try
     inputs : arguments with which a function that was asked for is called
     tolerance : how far a number may lie from the right one
+    ordered : whether the order of several numbers counts
     accept : judges answers that are not unique: None when right, otherwise the sentence that says what is missing
     """
 
@@ -46,6 +47,7 @@ class Exercise:
     hints: tuple[str, ...] = ()
     inputs: tuple[tuple[Any, ...], ...] = ()
     tolerance: float = 1e-6
+    ordered: bool = True
     accept: Callable[[Any], str | None] | None = None
 
     def values(self, answer: Any) -> Any:
@@ -57,6 +59,8 @@ class Exercise:
         one, other = as_numbers(first), as_numbers(second)
         if one is None or other is None or one.shape != other.shape:
             return False
+        if not self.ordered:
+            one, other = np.sort(one, axis=None), np.sort(other, axis=None)
         return bool(np.allclose(one, other, rtol=0.0, atol=self.tolerance))
 
 
