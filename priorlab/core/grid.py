@@ -147,6 +147,8 @@ class Grid:
         image = np.asarray(image)
         if image.shape != self.image_shape:
             raise ValueError(f"the image must have the grid's shape {self.image_shape}, got {image.shape}")
+        if self.cell_size == 1:
+            return image.astype(np.int64)
         # a running sum, differenced at the cells' borders: two passes at any cell size, empty cells are 0
         rows = np.searchsorted(self.row_of_pixel, np.arange(self.shape[0] + 1))
         cols = np.searchsorted(self.col_of_pixel, np.arange(self.shape[1] + 1))

@@ -74,11 +74,13 @@ class Experiment:
         return self.evidence.grid.any_in_cells(self.walls.mask)
 
     @cached_property
-    def pixels(self) -> NDArray[np.int64]:
+    def pixels(self) -> NDArray[np.int32]:
         """(2, rows, cols) counted true-wall pixels and counted empty pixels of every cell; don't-care is in neither."""
         counted, grid = ~self.truth.ignore, self.evidence.grid
-        everything, positive = grid.sum_in_cells(counted), grid.sum_in_cells(self.truth.walls & counted)
-        return np.stack([positive, everything - positive])
+        pixels = np.empty((2, *grid.shape), dtype=np.int32)  # an image has at most 200 million pixels
+        pixels[0] = grid.sum_in_cells(self.truth.walls & counted)
+        pixels[1] = grid.sum_in_cells(counted) - pixels[0]
+        return pixels
 
     def map(self, prior: Prior) -> GridMap:
         """The posterior map for one prior."""
@@ -111,10 +113,16 @@ class Experiment:
         )
 
     def _steps(self, cells: NDArray[np.bool_], slope: NDArray[np.float64]) -> Steps:
-        """The step functions of one class of cells."""
-        chosen = np.flatnonzero(cells)
-        pixels = self.pixels.reshape(2, -1)[:, chosen]
-        return Steps.of_cells(self.evidence.total.ravel()[chosen], slope.ravel()[chosen], pixels, self.threshold)
+        """The step functions of one class of cells; those without a reading, usually many, are taken together."""
+        pixels = self.pixels.reshape(2, -1)
+        cells = cells.ravel() & pixels.any(axis=0)
+        seen = self.evidence.seen.ravel()
+        unseen = np.flatnonzero(cells & ~seen)
+        chosen = np.append(np.flatnonzero(cells & seen), unseen[:1])
+        weights = pixels[:, chosen]
+        if unseen.size:
+            weights[:, -1] = pixels[:, unseen].sum(axis=1)
+        return Steps.of_cells(self.evidence.total.ravel()[chosen], slope.ravel()[chosen], weights, self.threshold)
 
     def __repr__(self) -> str:
         cells = f"cells of {self.evidence.grid.cell_size:g} px, {self.evidence.mean_looks:.2f} looks each"

@@ -34,7 +34,7 @@ class Steps:
     Parameters
     ----------
     always : (2,) true and false pixels detected whatever the prior
-    rising, falling : sorted critical log odds of the cells that are detected at or above it, at or below it
+    rising, falling : sorted critical log odds, each once, of the cells that are detected at or above it, at or below it
     rising_pixels, falling_pixels : (2, m + 1) running sums of their true and false pixels, from 0
     breaks : sorted log odds at which a count changes, a tie being exactly on it
     """
@@ -57,19 +57,18 @@ class Steps:
         pixels : (2, N) its counted true-wall pixels and counted empty pixels
         threshold : P(empty) at or below which a cell is a detected wall; t = logit(threshold)
         """
-        total, slope, pixels = _without_unseen(total, slope, pixels)
-        level = total - detection_limit(threshold)  # as `detected_as_wall` decides a tie
-        flat = np.abs(slope) < FLAT
-        bent = np.flatnonzero(~flat)
-        rising, rising_pixels = _running_sums(level, slope, pixels, np.flatnonzero(slope >= FLAT))
-        falling, falling_pixels = _running_sums(level, slope, pixels, np.flatnonzero(slope <= -FLAT))
+        limit = detection_limit(threshold)  # as `detected_as_wall` decides a tie
+        nominal = float(logit(threshold))
+        always = np.flatnonzero((np.abs(slope) < FLAT) & (total <= limit))
+        rising, rising_pixels, up = _running_sums(total, slope, pixels, slope >= FLAT, limit, nominal)
+        falling, falling_pixels, down = _running_sums(total, slope, pixels, slope <= -FLAT, limit, nominal)
         return cls(
-            always=pixels[:, np.flatnonzero(flat & (level <= 0))].sum(axis=1),
+            always=pixels[:, always].sum(axis=1, dtype=np.int64),
             rising=rising,
             rising_pixels=rising_pixels,
             falling=falling,
             falling_pixels=falling_pixels,
-            breaks=_distinct((total[bent] - logit(threshold)) / slope[bent]),
+            breaks=_distinct(np.concatenate([up, down])),
         )
 
     def counts(self, log_odds: ArrayLike) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -81,27 +80,20 @@ class Steps:
         return tp + tp_up[risen] + tp_down[-1] - tp_down[fallen], fp + fp_up[risen] + fp_down[-1] - fp_down[fallen]
 
 
-def _without_unseen(total: NDArray, slope: NDArray, pixels: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-    """The cells that count, all those without a reading as one: usually that is most of the drawing."""
-    unseen = (slope == -1.0) & (total == 0.0)
-    others = np.flatnonzero(~unseen & pixels.any(axis=0))
-    together = pixels[:, np.flatnonzero(unseen)].sum(axis=1, keepdims=True)
-    if not together.any():
-        return total[others], slope[others], pixels[:, others]
-    return (
-        np.append(total[others], 0.0),
-        np.append(slope[others], -1.0),
-        np.concatenate([pixels[:, others], together], axis=1),
-    )
-
-
-def _running_sums(level: NDArray, slope: NDArray, pixels: NDArray, chosen: NDArray) -> tuple[NDArray, NDArray]:
-    """The chosen cells' critical values, sorted, and the running sums of their pixels."""
-    critical = level[chosen] / slope[chosen]
+def _running_sums(
+    total: NDArray, slope: NDArray, pixels: NDArray, bent: NDArray[np.bool_], limit: float, nominal: float
+) -> tuple[NDArray, NDArray, NDArray]:
+    """Some cells' critical values, sorted and each once, the running sums of their pixels, and where they nominally flip."""
+    chosen = np.flatnonzero(bent)
+    critical = (total[chosen] - limit) / slope[chosen]
     order = np.argsort(critical)
-    sums = np.zeros((2, len(order) + 1), dtype=np.int64)
-    np.cumsum(pixels[:, chosen[order]], axis=1, out=sums[:, 1:])
-    return critical[order], sums
+    critical, chosen = critical[order], chosen[order]
+    ends = np.flatnonzero(np.diff(critical, append=np.inf) != 0)  # cells that flip together, as most do, are one step
+    sums = np.zeros((2, len(ends) + 1), dtype=np.int64)
+    for kind, of_kind in enumerate(pixels):
+        sums[kind, 1:] = np.cumsum(of_kind[chosen], dtype=np.int64)[ends]
+    breaks = (total[chosen] - nominal) / slope[chosen]
+    return critical[ends], sums, breaks[np.diff(breaks, prepend=np.inf) != 0]
 
 
 def _distinct(values: NDArray[np.float64]) -> NDArray[np.float64]:
