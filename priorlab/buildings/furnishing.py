@@ -10,7 +10,7 @@ import numpy as np
 from priorlab.buildings.cells import Box, Cell
 from priorlab.buildings.geometry import turned
 from priorlab.buildings.lettering import text_width
-from priorlab.buildings.parts import FURNITURE_SIZES, Compass, DoorPart, Furniture, Point, Room, Stairs
+from priorlab.buildings.parts import BUILT_IN, FURNITURE_SIZES, Compass, DoorPart, Furniture, Point, Room, Stairs
 
 NEEDS: dict[str, tuple[tuple[str, tuple[float, float] | None], ...]] = {
     "archive": (("shelf", (2.0, 0.35)), ("shelf", (2.0, 0.35)), ("shelf", None), ("cabinet", None)),
@@ -64,18 +64,24 @@ class Label:
 
 
 def furnish(
-    cell: Cell, doors: list[DoorPart], label: Label, with_furniture: bool, rng: np.random.Generator
+    cell: Cell, doors: list[DoorPart], label: Label, gap: float | None, rng: np.random.Generator
 ) -> tuple[list[Furniture], list[Stairs], Room]:
-    """Fill a room and find a place for its label; `doors` are all doors of the house."""
+    """Fill a room and find a place for its label.
+
+    Parameters
+    ----------
+    doors : all doors of the house
+    gap : between loose furniture and walls, metres; what is built in touches them; None leaves the room empty
+    """
     floor = _Floor(cell.box, [swing for door in doors if (swing := _swing(cell, door)) is not None])
     flights = _flight(cell, floor) if cell.use == "stairs" else []
     groups: list[list[Furniture]] = []  # each has taken one box of the floor
-    for kind, size in NEEDS.get(cell.use, ()) if with_furniture else ():
+    for kind, size in NEEDS.get(cell.use, ()) if gap is not None else ():
         width, depth = size or FURNITURE_SIZES[kind]
         if kind == "table":
             group = _table(cell, floor, width, depth)
         else:
-            group = _against_wall(cell, floor, kind, width, depth, rng)
+            group = _against_wall(cell, floor, kind, (width, depth), 0.0 if kind in BUILT_IN else gap or 0.0, rng)
             if group and kind == "counter":
                 group += _on_counter(group[0])
         groups += [group] if group else []
@@ -101,10 +107,11 @@ def _swing(cell: Cell, door: DoorPart) -> Box | None:
     return (x - across[0] - dx, y - across[1] - dy, x + across[0] + dx, y + across[1] + dy)
 
 
-def _against_wall(cell: Cell, floor: _Floor, kind: str, width: float, depth: float, rng: np.random.Generator) -> list[Furniture]:
+def _against_wall(
+    cell: Cell, floor: _Floor, kind: str, size: tuple[float, float], gap: float, rng: np.random.Generator
+) -> list[Furniture]:
     """A piece with its back to a wall, in a corner when one is free."""
-    left, bottom, right, top = floor.box
-    gap = 0.02
+    (width, depth), (left, bottom, right, top) = size, floor.box
     for side in rng.permutation(np.array(SIDES)).tolist():
         upright = side in ("east", "west")
         low, high = (bottom, top) if upright else (left, right)
@@ -121,7 +128,7 @@ def _against_wall(cell: Cell, floor: _Floor, kind: str, width: float, depth: flo
                 floor.taken.append(box)
                 middle = start + width / 2
                 chairs = {"chairs": 1} if kind == "desk" else {}
-                return [_piece(cell, kind, (level, middle) if upright else (middle, level), side, (width, depth), chairs)]
+                return [_piece(cell, kind, (level, middle) if upright else (middle, level), side, size, chairs)]
     return []
 
 
@@ -166,8 +173,8 @@ def _flight(cell: Cell, floor: _Floor) -> list[Stairs]:
     long, across = (top - bottom, right - left) if upright else (right - left, top - bottom)
     for run, wide in ((3.2, 1.9), (2.8, 1.6), (2.4, 1.3), (2.2, 1.0)):
         w, h = (wide, run) if upright else (run, wide)
-        for x in (left + 0.02, right - w - 0.02):
-            for y in (bottom + 0.02, top - h - 0.02):
+        for x in (left, right - w):
+            for y in (bottom, top - h):
                 if run < long and wide < 0.75 * across and floor.is_free((x, y, x + w, y + h)):
                     floor.taken.append((x, y, x + w, y + h))
                     up: Compass = (

@@ -24,6 +24,9 @@ from priorlab.core.drawing import Drawing
 LEGIBLE = 6.5
 """Least height of letters, pixels."""
 
+CLEAR = 3.0
+"""Least gap between loose furniture and walls, pixels."""
+
 
 def grow_building(recipe: Recipe) -> Description:
     """The building of a recipe: rooms, doors, windows, furniture, and the sheet it is drawn on.
@@ -43,10 +46,11 @@ def grow_building(recipe: Recipe) -> Description:
     furniture: list[Furniture] = []
     stairs: list[Stairs] = []
     rooms: list[Room] = []
+    gap = max(0.05, CLEAR * metres_per_pixel) if "furniture" in recipe.clutter else None
     above = STAMP * text if "stamps" in recipe.clutter else 0.0
     for cell, name in zip(shell.cells, names, strict=True):
         label = Label(name, 1.1 * text, recipe.font, above)
-        pieces, flights, room = furnish(cell, list(shell.doors), label, "furniture" in recipe.clutter, rng_rooms)
+        pieces, flights, room = furnish(cell, list(shell.doors), label, gap, rng_rooms)
         furniture += pieces
         stairs += flights
         rooms.append(room)
@@ -92,7 +96,7 @@ def draw_recipe(recipe: Recipe) -> tuple[Drawing, Truth]:
 def wall_area(recipe: Recipe) -> NDArray[np.bool_]:
     """(height, width) True on the bodies of the walls, between the lines of hollow ones too; skewed as the drawing is."""
     layout = lay_out(grow_building(recipe))
-    gaps = [opening.opening.outline for opening in (*layout.doors, *layout.windows)]
+    gaps = [door.opening.outline for door in layout.doors] + [window.opening.outline for window in layout.windows]
     body = coverage(wall_masks(layout, gaps).body) >= 0.5
     nothing = np.zeros_like(body)
     white = Drawing(np.full(body.shape, 255, np.uint8))

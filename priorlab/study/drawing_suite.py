@@ -152,7 +152,7 @@ def score_case(case: SuiteCase, method: Method | str | Found | Callable[[Drawing
         style=case.style,
         method=name,
         walls=score_mask(mask, case.truth),
-        area_recall=float(np.count_nonzero(mask & case.area) / max(1, np.count_nonzero(case.area))),
+        area_recall=float(mask[case.area].mean()) if case.area.any() else float("nan"),
         doors_found=len(doors),
         doors_true=len(case.truth.doors),
         doors_right=len(matched_doors(doors, case.truth.doors)),
@@ -193,7 +193,8 @@ def summary(rows: Sequence[SuiteRow]) -> dict[str, float]:
     if not rows:
         raise ValueError("rows must hold at least one drawing, got none")
     precision = np.array([row.walls.precision for row in rows])
-    found, true, right = (sum(getattr(row, f"doors_{what}") for row in rows) for what in ("found", "true", "right"))
+    found, true = sum(row.doors_found for row in rows), sum(row.doors_true for row in rows)
+    right = sum(row.doors_right for row in rows)
     defined = precision[np.isfinite(precision)]
     return {
         "drawings": len(rows),
