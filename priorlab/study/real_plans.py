@@ -30,15 +30,13 @@ from priorlab.core.building import Truth
 from priorlab.core.drawing import Drawing
 from priorlab.core.score import Score, score_mask
 from priorlab.drawing.baselines import BASELINES
-from priorlab.drawing.extraction import extract_walls
-from priorlab.drawing.method import ROBUST, THESIS, Method
+from priorlab.drawing.extraction import Extraction, extract_walls
+from priorlab.drawing.method import Method
 from priorlab.interchange.images import read_drawing
+from priorlab.study.drawing_suite import METHODS, Found
 
-Reader = Method | Callable[..., NDArray[np.bool_]]
-"""A method of chapter 3, or anything that makes a (height, width) mask of walls from a drawing."""
-
-METHODS: Mapping[str, Reader] = {"ROBUST": ROBUST, "THESIS": THESIS, **BASELINES}
-"""Both presets and all simple filters."""
+Reader = Method | Callable[..., Found]
+"""A method of chapter 3, or anything that makes walls, or a (height, width) mask of them, from a drawing."""
 
 DARKNESSES = (15, 35, 55, 80, 105, 127, 160, 200)
 """Ink thresholds that a simple filter may choose from: distances from the paper."""
@@ -139,12 +137,19 @@ def score_real_plans(
     return rows
 
 
-def mask_of(drawing: Drawing, reader: Reader, darkness: int | None = None) -> NDArray[np.bool_]:
-    """(height, width) walls that a method finds; a simple filter may be told its ink threshold."""
+def found_by(reader: Reader, drawing: Drawing, darkness: int | None = None) -> Found:
+    """What a method finds; a simple filter may be told its ink threshold."""
     if isinstance(reader, Method):
-        return extract_walls(drawing, reader).walls.mask
+        return extract_walls(drawing, reader)
     options: dict[str, Any] = {} if darkness is None else {"darkness": darkness}
-    return np.asarray(reader(drawing, **options), dtype=bool)
+    return reader(drawing, **options)
+
+
+def mask_of(found: Found) -> NDArray[np.bool_]:
+    """(height, width) walls of what was found."""
+    if isinstance(found, np.ndarray):
+        return found.astype(bool)
+    return found.walls.mask if isinstance(found, Extraction) else found.mask
 
 
 def score_plan(plan: MarkedPlan, title: str, reader: Reader) -> PlanRow:
@@ -190,8 +195,9 @@ def _percent(share: float) -> str:
 def _row(plan: MarkedPlan, title: str, reader: Reader, darkness: int | None) -> PlanRow:
     """Run and count."""
     start = time.perf_counter()
-    mask = mask_of(plan.drawing, reader, darkness)
+    found = found_by(reader, plan.drawing, darkness)
     seconds = time.perf_counter() - start
+    mask = mask_of(found)
     near_precision, near_recall = near_scores(mask, plan.truth, plan.tolerance)
     return PlanRow(plan.drawing.name, title, score_mask(mask, plan.truth), near_precision, near_recall, darkness, seconds)
 

@@ -208,7 +208,7 @@ def test_flat_row_meets_the_bar_of_table_3_1(counts, meets):
     found[: counts[0]] = True
     found[counts[0] + counts[2] : counts[0] + counts[2] + counts[1]] = True
     score = score_mask(found[None], Truth(truth[None], truth[None] & False))
-    assert FlatRow("f", 0, "filled", "m", score, 0.0).meets_bar == meets
+    assert FlatRow("f", 0, "filled", "m", score, 0, 3, 0, 0.0).meets_bar == meets
 
 
 def test_flat_files_without_a_folder(tmp_path):

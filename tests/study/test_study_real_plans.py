@@ -12,8 +12,8 @@ import pytest
 
 from priorlab.core.building import Truth
 from priorlab.drawing.method import ROBUST, THESIS
+from priorlab.study.drawing_suite import METHODS
 from priorlab.study.real_plans import (
-    METHODS,
     marked_plans,
     near_scores,
     plans_table,
