@@ -110,4 +110,4 @@ class GridMap:
     def _repr_png_(self) -> bytes:
         from priorlab.core.picture import encode_png, grey_of
 
-        return encode_png(grey_of(self.grid.to_image(self.p_empty)))
+        return encode_png(self.grid.to_image(grey_of(self.p_empty)))

@@ -101,7 +101,7 @@ def test_bench_slider(survey):
     def moved(prior_map, evidence):
         """What a slider does: map, score, picture."""
         posterior = update_map(prior_map, evidence)
-        return score_map(posterior, truth), encode_png(grey_of(posterior.grid.to_image(posterior.p_empty)))
+        return score_map(posterior, truth), encode_png(posterior.grid.to_image(grey_of(posterior.p_empty)))
 
     figure, ax = plt.subplots(figsize=(8, 6), dpi=100)
     shown_image = ax.imshow(np.zeros((2, 2)), cmap="gray", vmin=0, vmax=1)
