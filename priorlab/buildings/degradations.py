@@ -66,39 +66,35 @@ def skewed(drawing: Drawing, truth: Truth, degrees: float) -> tuple[Drawing, Tru
     height, width = drawing.shape
     angle = np.radians(degrees)
     cos, sin = float(np.cos(angle)), float(np.sin(angle))
-    new_width, new_height = (
-        int(np.ceil(width * abs(cos) + height * abs(sin) - 1e-9)),
-        int(np.ceil(height * abs(cos) + width * abs(sin) - 1e-9)),
-    )
+    new_width = int(np.ceil(width * abs(cos) + height * abs(sin) - 1e-9))
+    new_height = int(np.ceil(height * abs(cos) + width * abs(sin) - 1e-9))
     # corners of pixels are whole numbers here: a point p goes to turn @ p + shift
     turn = np.array([[cos, sin], [-sin, cos]])
     shift = np.array([new_width, new_height]) / 2 - turn @ (width / 2, height / 2)
     to_centres = turn @ (0.5, 0.5) + shift - 0.5  # OpenCV counts from the middle of the first pixel
     matrix = np.column_stack([turn, to_centres])
 
-    def turned(image: NDArray[np.uint8], outside: float | tuple[float, ...]) -> NDArray[np.uint8]:
-        fill = outside if isinstance(outside, tuple) else (outside,)
-        warped = cv2.warpAffine(image, matrix, (new_width, new_height), flags=cv2.INTER_LINEAR, borderValue=fill)
-        return np.asarray(warped, dtype=np.uint8)
+    def turned(image: Image, outside: Sequence[float] = (0.0,)) -> Image:
+        flags = cv2.INTER_LINEAR
+        return np.asarray(
+            cv2.warpAffine(image, matrix, (new_width, new_height), flags=flags, borderValue=outside), dtype=np.uint8
+        )
 
-    def share(mask: NDArray[np.bool_]) -> NDArray[np.uint8]:
-        return turned(mask.astype(np.uint8) * 255, 0)
-
-    walls = share(truth.walls) >= 128
-    touched = cv2.dilate(walls.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)  # the rim that is anti-aliased anew
-    ignore = ((share(truth.ignore) > 0) | touched) & ~walls
-    ignore |= share(truth.ignore & truth.walls) >= 128  # don't-care that lies on walls stays so
+    def share(mask: NDArray[np.bool_]) -> Image:
+        return turned(mask.astype(np.uint8) * 255)
 
     def point(p: tuple[float, float]) -> tuple[float, float]:
         x, y = turn @ p + shift
         return float(x), float(y)
 
+    walls = share(truth.walls) >= 128
+    rim = cv2.dilate(walls.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)  # anti-aliased anew
+    ignore = ((share(truth.ignore) > 0) | rim) & ~walls
+    ignore |= share(truth.ignore & truth.walls) >= 128  # don't-care that lies on walls stays so
     doors = tuple(Door(point(d.hinge), point(d.strike), point(d.tip), d.kind, d.quality) for d in truth.doors)
     windows = None if truth.windows is None else share(truth.windows) >= 128
-    paper = (
-        tuple(float(value) for value in np.median(drawing.colour.reshape(-1, 3), axis=0)) if drawing.colour is not None else 255.0
-    )
     image = drawing.grey if drawing.colour is None else drawing.colour
+    paper = np.atleast_1d(np.median(image, axis=(0, 1))).tolist()
     return _with_image(drawing, turned(image, paper)), Truth(walls, ignore, doors, truth.metres_per_pixel, windows)
 
 
@@ -108,10 +104,10 @@ def _blurred(image: Image, amount: float, rng: np.random.Generator) -> Image:
 
 
 def _shaded(image: Image, amount: float, rng: np.random.Generator) -> Image:
-    """Light that falls off from one corner to the other, and a dark seam where the book opens."""
+    """Light that falls off towards one of the lower corners."""
     height, width = image.shape[:2]
     y, x = np.mgrid[0:height, 0:width]
-    across, down = (x / max(width - 1, 1), y / max(height - 1, 1))
+    across, down = x / max(width - 1, 1), y / max(height - 1, 1)
     if rng.random() < 0.5:
         across = 1 - across
     fall = 0.6 * across + 0.4 * down**2
