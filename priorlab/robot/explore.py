@@ -14,6 +14,7 @@ from priorlab.core.grid import Grid
 from priorlab.core.progress import Progress
 from priorlab.core.readings import Readings
 from priorlab.core.sensor import RangeSensor
+from priorlab.robot.indoors import outdoors
 from priorlab.robot.range_noise import RangeNoise, disturb
 from priorlab.robot.rays import cast_rays
 
@@ -50,7 +51,8 @@ def explore(
     Raises
     ------
     ValueError
-        For an empty survey, a pose that is not finite, lies off the map or in an obstacle, noise without `rng`.
+        For an empty survey, a pose that is not finite, lies off the map, in an obstacle or outdoors (when the truth has doors
+        that can be shut), noise without `rng`.
 
     >>> walls = np.zeros((5, 9), dtype=bool)
     >>> walls[:, 7] = True
@@ -59,7 +61,7 @@ def explore(
     4.5
     """
     sensor = sensor or RangeSensor()
-    poses = _check_survey(building.obstacles, survey)
+    poses = _check_survey(building, survey)
     if repeats < 1 or repeats != int(repeats):
         raise ValueError(f"repeats must be a whole number of at least 1, got {repeats}")
     bearings = bearings_of(sensor)
@@ -88,8 +90,9 @@ def bearings_of(sensor: RangeSensor) -> NDArray[np.float64]:
     return np.linspace(-sensor.half_angle, sensor.half_angle, 2 * per_side + 1)
 
 
-def _check_survey(obstacles: NDArray[np.bool_], survey: ArrayLike) -> NDArray[np.float64]:
+def _check_survey(building: Truth | World, survey: ArrayLike) -> NDArray[np.float64]:
     """The survey's poses, or a sentence about the first that no robot can take."""
+    obstacles = building.obstacles
     if isinstance(survey, Sized) and len(survey) == 0:
         raise ValueError("survey must hold at least one pose x, y, theta, got none")
     poses = check_poses("survey", survey)
@@ -99,8 +102,14 @@ def _check_survey(obstacles: NDArray[np.bool_], survey: ArrayLike) -> NDArray[np
         row, (height, width) = outside[0], obstacles.shape
         x, y = poses[row, :2]
         raise ValueError(f"survey must stay on the map of {width} x {height} pixels, got x, y = {x:g}, {y:g} in row {row}")
-    blocked = np.flatnonzero(obstacles[tuple(grid.xy_to_pixel(poses[:, :2]).T)])
+    pixels = tuple(grid.xy_to_pixel(poses[:, :2]).T)
+    blocked = np.flatnonzero(obstacles[pixels])
     if blocked.size:
         x, y = poses[blocked[0], :2]
         raise ValueError(f"survey must stand in free space, got an obstacle at x, y = {x:g}, {y:g} in row {blocked[0]}")
+    open_air = outdoors(building)
+    if open_air is not None and open_air[pixels].any():
+        left = np.flatnonzero(open_air[pixels])
+        x, y = poses[left[0], :2]
+        raise ValueError(f"survey must stay in the building, got x, y = {x:g}, {y:g} outdoors in row {left[0]}")
     return poses

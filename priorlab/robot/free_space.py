@@ -78,9 +78,9 @@ def find_free_space(
         raise ValueError("walls must hold at least one wall pixel to plan between, got none")
     width = _door_width(walls, doors, door_width)
     clearance = 0.2 * width if clearance is None else check_positive("clearance", clearance)
-    sills = _draw_sills(walls.shape, doors)
+    sills = draw_sills(walls.shape, doors)
     distance = _distance_to(walls.mask)
-    outdoors = _outdoors(walls.mask | sills, GAP_IN_DOORS * width)
+    outdoors = swept_from_outside(walls.mask | sills, GAP_IN_DOORS * width)
     drivable = _parts_of(~outdoors & (distance > clearance), min_area=width**2) > 0
     within = _outline(walls.mask, width) & (distance > clearance)
     share = float(drivable.sum() / max(1, within.sum()))
@@ -101,7 +101,7 @@ def _door_width(walls: Walls, doors: Sequence[Door], door_width: float | None) -
     return DOOR_WIDTH_M / walls.metres_per_pixel
 
 
-def _draw_sills(shape: tuple[int, int], doors: Sequence[Door]) -> NDArray[np.bool_]:
+def draw_sills(shape: tuple[int, int], doors: Sequence[Door]) -> NDArray[np.bool_]:
     """The open sides of the doors, closed."""
     canvas = np.zeros(shape, dtype=np.uint8)
     for door in doors:
@@ -115,7 +115,7 @@ def _distance_to(solid: NDArray[np.bool_]) -> NDArray[np.float32]:
     return cv2.distanceTransform((~solid).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE).astype(np.float32, copy=False)
 
 
-def _outdoors(solid: NDArray[np.bool_], gap: float) -> NDArray[np.bool_]:
+def swept_from_outside(solid: NDArray[np.bool_], gap: float) -> NDArray[np.bool_]:
     """What a disc of diameter `gap` that comes from beyond the border can sweep over."""
     rim = int(np.ceil(gap)) + 1  # paper all round, so that a wall near the border does not bar the way round the building
     padded = np.pad(solid, rim)

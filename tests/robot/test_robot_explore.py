@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from priorlab.core.building import Truth, World
+from priorlab.core.drawing import Door
 from priorlab.core.grid import Grid
 from priorlab.core.sensor import RangeSensor
 from priorlab.mapping.evidence import gather_evidence
@@ -99,6 +100,34 @@ def test_explore_is_the_same_for_the_same_seed():
     noise = RangeNoise(deviation=0.5, outlier_rate=0.1)
     one, two = (explore(TRUTH, [MIDDLE], rng=np.random.default_rng(5), noise=noise).ranges for _ in range(2))
     assert (one == two).all()
+
+
+def house(*doors):
+    """A room of 20 x 30 in a garden of 8 all round, with an open front door of 6 in its lower wall."""
+    walls = np.pad(ROOM, 8)
+    walls[30:32, 20:26] = False
+    return Truth(walls, walls & False, doors)
+
+
+def test_explore_says_when_a_survey_leaves_the_building():
+    front = Door(hinge=(20.0, 31.0), strike=(26.0, 31.0), tip=(23.0, 36.0))
+    indoors, in_the_garden = [25.0, 20.0, 0.0], [4.0, 30.0, 0.0]
+    assert len(explore(house(front), [indoors])) == 1
+    with pytest.raises(ValueError, match="survey must stay in the building, got x, y = 4, 30 outdoors in row 1"):
+        explore(house(front), [indoors, in_the_garden])
+    for nobody_can_tell in (house(), World(house(front).walls, 0.05)):
+        assert len(explore(nobody_can_tell, [indoors, in_the_garden])) == 2
+
+
+@pytest.mark.parametrize("width", [6, 11])
+def test_explore_takes_an_opening_without_a_door_for_no_way_out(width):
+    """A second way out, not twice as wide as a door: the rooms behind it are still indoors, the garden is not."""
+    open_house = house(Door(hinge=(20.0, 31.0), strike=(26.0, 31.0), tip=(23.0, 36.0)))
+    open_house.walls[8:10, 25 : 25 + width] = False
+    by_the_opening, beside_the_wall = [25.0 + width / 2, 26.0, 0.0], [25.0 + width / 2, 33.0, 0.0]
+    assert len(explore(open_house, [by_the_opening])) == 1
+    with pytest.raises(ValueError, match="outdoors in row 0"):
+        explore(open_house, [beside_the_wall])
 
 
 @pytest.mark.parametrize(
