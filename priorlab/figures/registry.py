@@ -5,13 +5,13 @@ from __future__ import annotations
 from priorlab.core.shipped import nearest_name
 from priorlab.figures.chapter2 import FIGURE_2_9
 from priorlab.figures.chapter3 import TABLE_3_1
-from priorlab.figures.chapter4 import FIGURE_4_5, FIGURE_4_7, FIGURE_4_8
-from priorlab.figures.chapter5 import FIGURE_5_8, FIGURE_5_9
+from priorlab.figures.chapter3_drawings import DRAWING_FIGURES
 from priorlab.figures.chapter6 import FIGURE_6_6, FIGURE_6_8
 from priorlab.figures.depth_camera import FIGURE_5_12, FIGURE_5_13
 from priorlab.figures.depth_camera_maps import FIGURE_5_14, FIGURE_5_18, FIGURE_5_21, OPTIMUM_5_3
 from priorlab.figures.depth_camera_zooms import FIGURE_5_15, FIGURE_5_16, FIGURE_5_17, FIGURE_5_19, FIGURE_5_20
 from priorlab.figures.figure import Entry
+from priorlab.figures.prior_figures import PRIOR_FIGURES
 from priorlab.figures.scaling import SCALING
 
 DEPTH_CAMERA = (
@@ -26,12 +26,9 @@ FIGURES: dict[str, Entry] = {
     entry.name: entry
     for entry in (
         FIGURE_2_9,
+        *DRAWING_FIGURES,
         TABLE_3_1,
-        FIGURE_4_5,
-        FIGURE_4_7,
-        FIGURE_4_8,
-        FIGURE_5_8,
-        FIGURE_5_9,
+        *PRIOR_FIGURES,
         *DEPTH_CAMERA,
         FIGURE_6_6,
         FIGURE_6_8,

@@ -10,7 +10,7 @@ import priorlab as pl
 from priorlab.cli import main
 from priorlab.core.readings import Evidence
 from priorlab.core.score import score_mask
-from priorlab.figures.chapter3 import opened
+from priorlab.drawing.strokes import opened
 from priorlab.figures.figure import Entry, Outcome, verdict_of
 from priorlab.figures.registry import FIGURES, figure_named
 from priorlab.figures.writing import write_figures
