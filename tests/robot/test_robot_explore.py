@@ -119,12 +119,12 @@ def test_explore_says_when_a_survey_leaves_the_building():
         assert len(explore(nobody_can_tell, [indoors, in_the_garden])) == 2
 
 
-@pytest.mark.parametrize("width", [6, 11])
+@pytest.mark.parametrize("width", [6, 9])
 def test_explore_takes_an_opening_without_a_door_for_no_way_out(width):
     """A second way out, not twice as wide as a door: the rooms behind it are still indoors, the garden is not."""
     open_house = house(Door(hinge=(20.0, 31.0), strike=(26.0, 31.0), tip=(23.0, 36.0)))
     open_house.walls[8:10, 25 : 25 + width] = False
-    by_the_opening, beside_the_wall = [25.0 + width / 2, 26.0, 0.0], [25.0 + width / 2, 33.0, 0.0]
+    by_the_opening, beside_the_wall = [25.0 + width / 2, 25.0, 0.0], [25.0 + width / 2, 33.0, 0.0]
     assert len(explore(open_house, [by_the_opening])) == 1
     with pytest.raises(ValueError, match="outdoors in row 0"):
         explore(open_house, [beside_the_wall])
