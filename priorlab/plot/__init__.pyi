@@ -1,6 +1,11 @@
 from .benefit import f_over_time as f_over_time
 from .benefit import gain_by_looks as gain_by_looks
 from .benefit import score_bars as score_bars
+from .comparison import SERIES as SERIES
+from .comparison import gains as gains
+from .comparison import interval_bars as interval_bars
+from .comparison import interval_lines as interval_lines
+from .comparison import looks_axis as looks_axis
 from .depth_camera import depth_image as depth_image
 from .depth_camera import strip_ranges as strip_ranges
 from .cost import cost as cost
@@ -19,6 +24,7 @@ from .maps import looks as looks
 from .maps import map as map
 from .maps import readings as readings
 from .maps import scored as scored
+from .number_table import number_table as number_table
 from .optimum import clusters as clusters
 from .optimum import front as front
 from .optimum import sweep as sweep

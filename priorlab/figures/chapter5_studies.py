@@ -1,0 +1,247 @@
+"""Chapter 5 in numbers: cell sizes, explored parts, qualities of the prior, sensors and updates; each over five seeds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import numpy as np
+
+from priorlab import plot
+from priorlab.figures.figure import Entry, Outcome, sheet, verdict_of
+from priorlab.study.conditions import SEEDS, Condition, Row, run_all, vary
+from priorlab.study.interval import Interval
+from priorlab.study.qualities import QUALITIES
+from priorlab.study.thesis_drawings import DENSE, QUICK, THESIS_DRAWINGS, THOROUGH
+
+SURVEYS = {"quick": QUICK, "thorough": THOROUGH, "dense": DENSE}
+CELL_SIZES = (1.0, 2.0, 3.0, 5.0, 10.0)
+SHARES = (0.1, 0.25, 0.5, 0.75, 1.0)
+WALLS = ("true walls", "extracted", "30 % missing", "70 % missing", "poor")
+SENSORS = {"0.9 / 0.1": (0.9, 0.1), "0.8 / 0.2": (0.8, 0.2)}
+
+
+def _cells(rng: np.random.Generator) -> Outcome:
+    """F2 by cell size, with the plan, without, and the plan alone."""
+    rows = run_all(list(vary(Condition(""), building=THESIS_DRAWINGS, spacing=(QUICK, THOROUGH), cell_size=CELL_SIZES)))
+    figure, axes = sheet(1, 2, 5.8, 4.2)
+    for ax, name in zip(axes, ("quick", "thorough"), strict=True):
+        own = [row for row in rows if row.condition.spacing == SURVEYS[name]]
+        groups = [[row for row in own if row.condition.cell_size == size] for size in CELL_SIZES]
+        plot.interval_lines(CELL_SIZES, _three(groups), ax, f"{name} survey, five drawings x five seeds", "cell size, px")
+        ax.set(xticks=CELL_SIZES, ylim=(0, 1.02))
+    gains = {
+        f"{name}, {size:g} px": _stats(
+            row for row in rows if row.condition.spacing == SURVEYS[name] and row.condition.cell_size == size
+        )
+        for name in ("quick", "thorough")
+        for size in CELL_SIZES
+    }
+    coarse = [one["better"] == one["of"] for key, one in gains.items() if key.endswith((", 5 px", ", 10 px"))]
+    return Outcome(
+        figure,
+        {"summary": gains, "rows": [row.as_numbers() for row in rows], "seeds": list(SEEDS)},
+        verdict_of(coarse),
+        "gain in F2: " + "; ".join(f"{key} {_said(one)}" for key, one in gains.items()),
+        "F2 over cell size for a quick and a thorough survey: with the plan, without it, the plan alone, intervals shaded.",
+    )
+
+
+def _exploration(rng: np.random.Generator) -> Outcome:
+    """F2 by explored share; seen and unseen parts apart."""
+    rows = run_all(list(vary(Condition("", THOROUGH), building=THESIS_DRAWINGS, explored=SHARES)))
+    figure, axes = sheet(1, 2, 5.8, 4.2)
+    groups = [[row for row in rows if row.condition.explored == share] for share in SHARES]
+    shares = 100 * np.array(SHARES)
+    plot.interval_lines(shares, _three(groups), axes[0], "the whole building", "share of a thorough survey, %")
+    apart = {
+        "with the plan, where seen": _curve(groups, lambda row: row.worth.seen_informed.f_beta),
+        "without, where seen": _curve(groups, lambda row: row.worth.seen_uninformed.f_beta),
+        "with the plan, where not": _curve(groups, lambda row: row.worth.unseen.f_beta),
+    }
+    plot.interval_lines(shares, apart, axes[1], "seen and unseen apart (without a plan: 0 where unseen)", axes[0].get_xlabel())
+    for ax in axes:
+        ax.set(ylim=(0, 1.02))
+    summary = {
+        f"{100 * share:g} %": {
+            **_stats(group),
+            "coverage": _interval(row.worth.coverage for row in group),
+            **{name: curve[i] for name, curve in apart.items()},
+        }
+        for i, (share, group) in enumerate(zip(SHARES, groups, strict=True))
+    }
+    better = [one["better"] == one["of"] for key, one in summary.items() if key != "100 %"]
+    half = summary["50 %"]
+    return Outcome(
+        figure,
+        {"summary": summary, "rows": [row.as_numbers() for row in rows], "seeds": list(SEEDS)},
+        verdict_of(better),
+        "gain in F2 by explored share: "
+        + "; ".join(f"{key} {_said(one)}" for key, one in summary.items())
+        + f"; half explored, the plan has {half['with the plan, where not'][0]:.2f} where nobody looked, but where somebody did "
+        f"{half['with the plan, where seen'][0]:.2f} against {half['without, where seen'][0]:.2f} without it",
+        "F2 over the explored share of a survey: whole building on the left, seen and unseen parts apart on the right.",
+    )
+
+
+def _priors(rng: np.random.Generator) -> Outcome:
+    """F2 by quality of the prior for a quick and a dense survey."""
+    rows = run_all(list(vary(Condition(""), building=THESIS_DRAWINGS, spacing=(QUICK, DENSE), quality=QUALITIES)))
+    figure, axes = sheet(1, 2, 6.4, 7.2)
+    summary: dict[str, Any] = {}
+    for ax, name in zip(axes, ("quick", "dense"), strict=True):
+        own = [row for row in rows if row.condition.spacing == SURVEYS[name]]
+        groups = [[row for row in own if row.condition.quality == quality] for quality in QUALITIES]
+        plot.interval_bars(QUALITIES, _three(groups), ax, f"{name} survey, five drawings x five seeds")
+        summary |= {f"{name}, {quality}": _stats(group) for quality, group in zip(QUALITIES, groups, strict=True)}
+    plans = [quality for quality in QUALITIES if "everywhere" not in quality]
+    always = {key: one["better"] == one["of"] for key, one in summary.items()}
+    better = {name: [always[f"{name}, {quality}"] for quality in plans] for name in ("quick", "dense")}
+    return Outcome(
+        figure,
+        {"summary": summary, "seeds": list(SEEDS)},
+        verdict_of([*better["quick"], *better["dense"]]),
+        f"quick: {sum(better['quick'])} of {len(plans)} kinds of plan are better than none on every drawing and seed, dense: "
+        f"{sum(better['dense'])}; gain quick: "
+        + "; ".join(f"{quality} {_said(summary[f'quick, {quality}'])}" for quality in QUALITIES),
+        "Bars of F2 with priors of ten qualities, without a prior, and of each prior alone, for a quick and a dense survey.",
+    )
+
+
+def _sensors(rng: np.random.Generator) -> Outcome:
+    """F2 with a good and with a weaker sensor model."""
+    rows: list[Row] = []
+    groups: dict[str, list[Row]] = {}
+    for name, (p_free, p_occupied) in SENSORS.items():
+        base = Condition("", p_free=p_free, p_occupied=p_occupied)
+        own = run_all(list(vary(base, building=THESIS_DRAWINGS, spacing=list(SURVEYS.values()))))
+        rows += own
+        groups |= {f"{name}, {how}": [row for row in own if row.condition.spacing == SURVEYS[how]] for how in SURVEYS}
+    figure, (ax,) = sheet(1, 1, 7.4, 4.6)
+    plot.interval_bars(list(groups), _three(list(groups.values())), ax, "sensor model p_free / p_occupied, survey")
+    summary = {key: _stats(own) | {"breaks_eq_2_22": own[0].worth.overruled} for key, own in groups.items()}
+    quick = [one["gain_percent"][1] >= 20 for key, one in summary.items() if key.endswith("quick")]
+    broken = [key for key, one in summary.items() if one["breaks_eq_2_22"]]
+    return Outcome(
+        figure,
+        {"summary": summary, "rows": [row.as_numbers() for row in rows], "seeds": list(SEEDS)},
+        verdict_of([*quick, not broken]),
+        "gain in F2: "
+        + "; ".join(f"{key} {_said(one)}" for key, one in summary.items())
+        + (
+            f"; with the sensor 0.8 the prior 0.9 x 0.9 = 0.81 breaks eq. 2.22 ({len(broken)} of {len(summary)} rows): every "
+            f"further free look makes space less free"
+            if broken
+            else ""
+        ),
+        "Bars of F2 with the plan, without it and of the plan alone for two sensor models and three surveys.",
+    )
+
+
+def _updates(rng: np.random.Generator) -> Outcome:
+    """The thesis's update against the textbook's, for walls that are true, extracted and damaged."""
+    base = list(vary(Condition(""), building=THESIS_DRAWINGS, spacing=list(SURVEYS.values()), quality=WALLS, lam=(1.0, 0.0)))
+    rows = run_all(base)
+    figure, axes = sheet(1, 3, 5.0, 4.4)
+    summary: dict[str, Any] = {}
+    for ax, (name, spacing) in zip(axes, SURVEYS.items(), strict=True):
+        own = [row for row in rows if row.condition.spacing == spacing]
+        bars = {}
+        for lam, label in ((1.0, "lam = 1, the thesis's update"), (0.0, "lam = 0, Bayes")):
+            groups = [[row for row in own if row.condition.lam == lam and row.condition.quality == q] for q in WALLS]
+            bars[label] = _curve(groups, lambda row: row.worth.informed.f_beta)
+            summary |= {f"{name}, {q}, lam {lam:g}": _stats(group) for q, group in zip(WALLS, groups, strict=True)}
+        bars["without (0.5)"] = _curve(groups, lambda row: row.worth.uninformed.f_beta)
+        plot.interval_bars(WALLS, bars, ax, f"{name} survey")
+        ax.legend(fontsize=6, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False)
+    good = [summary[f"{name}, {q}, lam 0"] for name in SURVEYS for q in ("true walls", "extracted")]
+    never_lost = [one["better"] == one["of"] for one in good]
+    bad = [(summary[f"{name}, {q}, lam 1"], summary[f"{name}, {q}, lam 0"]) for name in SURVEYS for q in WALLS[2:]]
+    thesis_wins = sum(one["f2_with_prior"][0] > zero["f2_with_prior"][0] for one, zero in bad)
+    return Outcome(
+        figure,
+        {"summary": summary, "seeds": list(SEEDS)},
+        verdict_of([*never_lost, thesis_wins > len(bad) / 2]),
+        f"lam = 0 with true or extracted walls beats no prior on every drawing and seed in {sum(never_lost)} of "
+        f"{len(never_lost)} cases; with damaged walls the thesis's update has the higher mean F2 in {thesis_wins} of "
+        f"{len(bad)}; extracted walls, gain: "
+        + "; ".join(
+            f"{name} lam 1 {_said(summary[f'{name}, extracted, lam 1'])}, lam 0 {_said(summary[f'{name}, extracted, lam 0'])}"
+            for name in SURVEYS
+        ),
+        "Bars of F2 for two updates and no prior, five qualities of walls, three surveys.",
+    )
+
+
+def _three(groups: list[list[Row]]) -> dict[str, list[list[float]]]:
+    """With the plan, without, the plan alone: an interval for each group."""
+    return {
+        "with the plan": _curve(groups, lambda row: row.worth.informed.f_beta),
+        "without (0.5)": _curve(groups, lambda row: row.worth.uninformed.f_beta),
+        "the plan alone": _curve(groups, lambda row: row.worth.alone.f_beta),
+    }
+
+
+def _curve(groups: list[list[Row]], value: Callable[[Row], float]) -> list[list[float]]:
+    """An interval for each group."""
+    return [_interval(value(row) for row in group) for group in groups]
+
+
+def _stats(rows: Iterable[Row]) -> dict[str, Any]:
+    """What a group gives: gain, F2, looks; and on how many drawings and seeds the prior is better than none."""
+    own = list(rows)
+    gains = [row.worth.gain_percent for row in own]
+    return {
+        "gain_percent": _interval(gains),
+        "better": sum(row.worth.informed.f_beta > row.worth.uninformed.f_beta for row in own),
+        "of": len(own),
+        "f2_with_prior": _interval(row.worth.informed.f_beta for row in own),
+        "f2_without": _interval(row.worth.uninformed.f_beta for row in own),
+        "f2_prior_alone": _interval(row.worth.alone.f_beta for row in own),
+        "mean_looks": _interval(row.worth.mean_looks for row in own),
+        "coverage": _interval(row.worth.coverage for row in own),
+    }
+
+
+def _interval(values: Iterable[float]) -> list[float]:
+    """Mean, lowest, highest."""
+    of = Interval.of(values)
+    return [of.mean, of.low, of.high]
+
+
+def _said(one: dict[str, Any]) -> str:
+    """Mean gain and its range."""
+    mean, low, high = one["gain_percent"]
+    return f"{mean:+.0f} % ({low:+.0f} to {high:+.0f})"
+
+
+STUDY_CELLS = Entry(
+    "study-cells",
+    "F2 by cell size",
+    "With the plan, coarser and so cheaper grids can be used (5.2.1).",
+    _cells,
+)
+STUDY_EXPLORATION = Entry(
+    "study-exploration",
+    "F2 by explored share, seen and unseen parts apart",
+    "A prior improves the map of an incomplete exploration (5.2.1).",
+    _exploration,
+)
+STUDY_PRIORS = Entry(
+    "study-priors",
+    "F2 by quality of the prior",
+    "Even a poor prior is better than none (5.2.3).",
+    _priors,
+)
+STUDY_SENSORS = Entry(
+    "study-sensors",
+    "F2 with a weaker sensor",
+    "The proposed prior helps whatever the sensor, if it keeps to eq. 2.22.",
+    _sensors,
+)
+STUDY_UPDATES = Entry(
+    "study-updates",
+    "the thesis's update against Bayes' rule, by quality of the walls",
+    "Method page: lam = 0 with a good extraction never loses to 0.5; with a poor one the thesis's update is the better.",
+    _updates,
+)
