@@ -1,5 +1,6 @@
 """Floor 6: sliders and pictures for the notebooks. They compute nothing: whatever a slider does, one line of code can do."""
 
+from priorlab.widgets.depth_lab import DepthLab as DepthLab
 from priorlab.widgets.map_lab import MapLab as MapLab
 from priorlab.widgets.one_cell import OneCellLab as OneCellLab
 from priorlab.widgets.prior_lab import PriorLab as PriorLab

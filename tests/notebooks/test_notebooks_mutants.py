@@ -17,6 +17,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 START, PRIORS, LOG_ODDS, SWEEP = "00_start_here", "03_priors", "04_log_odds", "05_pareto_sweep"
+DEPTH = "07_depth_camera"
 CLOSED_FORM = "l_0 + total - lam * looks * l_0"
 MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red first
     "log10 for ln": (LOG_ODDS, "core/log_odds.py", "np.log(p / (1.0 - p))", "np.log10(p / (1.0 - p))", 1),
@@ -37,6 +38,17 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
     "steps for lines": (SWEEP, "optimize/interpolation.py", "first + share * (second - first)", "first + 0 * share * second", 3),
     "threshold of the score fixed": (SWEEP, "core/log_odds.py", "min(float(log_odds(threshold))", "min(float(log_odds(0.2))", 4),
     "clusters in another order": (SWEEP, "optimize/clusters.py", "lexsort(means", "lexsort(-means", 5),
+    "depth for range": (DEPTH, "robot/strip.py", "depth_m / np.cos(camera.bearings), np.inf", "depth_m, np.inf", 1),
+    "zeros averaged in": (DEPTH, "robot/strip.py", "np.maximum(count, 1) / 1000.0", "len(strip) / 1000.0", 2),
+    "walls without a top": (
+        DEPTH,
+        "robot/depth_image.py",
+        "np.where(below < 0, drop / below, np.inf)",
+        "np.inf + below",
+        3,
+    ),
+    "no reading is free": (DEPTH, "robot/strip.py", "image_shape, valid)", "image_shape)", 4),
+    "sensor model ignored": (DEPTH, "study/depth_survey.py", "wall_thickness, p_free, p_occupied)", "wall_thickness)", 5),
 }
 
 
