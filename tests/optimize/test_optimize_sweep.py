@@ -28,12 +28,12 @@ TYING = (0.1, 0.2, 0.2 / 0.9, 0.3, 0.5, 0.8 / 0.9, 0.9, 1.0)
 p_values = st.one_of(st.sampled_from(TYING), st.floats(0.05, 1.0))
 
 
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(
     seed=st.integers(0, 10**6),
     cell_size=st.integers(1, 4),
-    lam=st.sampled_from(LAMS),
-    threshold=st.sampled_from(THRESHOLDS),
+    lam=st.one_of(st.sampled_from(LAMS), st.floats(-0.5, 2.0)),
+    threshold=st.one_of(st.sampled_from(THRESHOLDS), st.floats(0.05, 0.5)),
     p_wall=p_values,
     p_space=p_values,
 )
