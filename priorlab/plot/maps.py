@@ -71,15 +71,16 @@ def looks(evidence: Evidence, ax: Axes | None = None, title: str | None = None) 
 
 
 def readings(taken: Readings, on: GridMap, ax: Axes | None = None, every: int = 1, title: str | None = None) -> Axes:
-    """Rays of every `every`-th pose on a map: thin lines, with a dot where one met an obstacle."""
+    """Rays of every `every`-th pose on a map: thin lines, with a dot where one met an obstacle, none where nothing is known."""
     ax = map(on, ax, title="" if title is None else title)
     some = taken[::every]
     angles = some.poses[:, 2, None] + some.bearings
-    hit, known = some.met, some.valid if some.valid is not None else np.isfinite(angles)
-    length = np.where(hit, some.ranges, np.where(known, some.sensor.max_range, 0.0))
+    hit = some.met
+    known = np.ones(hit.shape, dtype=bool) if some.valid is None else some.valid
+    length = np.where(hit, some.ranges, some.sensor.max_range)
     start = np.broadcast_to(some.poses[:, None, :2], (*length.shape, 2))
     end = start + length[..., None] * np.stack([np.cos(angles), np.sin(angles)], axis=-1)
-    rays = np.stack([start, end], axis=-2)[:, ::4].reshape(-1, 2, 2)
+    rays = np.stack([start, end], axis=-2)[:, ::4][known[:, ::4]]
     ax.add_collection(LineCollection(list(rays), colors=BLUE, linewidths=0.3, alpha=0.5))
     ax.plot(end[hit][:, 0], end[hit][:, 1], ".", color=RED, ms=1.5)
     ax.plot(some.poses[:, 0], some.poses[:, 1], "o", color=BLUE, ms=2.5)

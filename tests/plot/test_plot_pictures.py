@@ -99,6 +99,15 @@ def test_readings_dots_lie_where_the_rays_ended(grid_map, ax):
     assert xy_of(poses) == pytest.approx(np.array([[1.0, 2.0]]))
 
 
+def test_readings_draw_no_ray_where_there_is_no_reading(grid_map, ax):
+    lost, nothing_met = [[np.nan, 2.0, 2.0, 2.0, 1.0]], [[np.inf, 2.0, 2.0, 2.0, 1.0]]
+    bearings, sensor = np.linspace(-1, 1, 5), pl.RangeSensor(max_range=3)
+    plot.readings(pl.Readings([[1.0, 2.0, 0.0]], lost, bearings, sensor, (4, 6), np.isfinite(lost)), grid_map, ax)
+    assert len(ax.collections[0].get_segments()) == 1 and len(xy_of(ax.lines[0])) == 4
+    plot.readings(pl.Readings([[1.0, 2.0, 0.0]], nothing_met, bearings, sensor, (4, 6)), grid_map, ax)
+    assert len(ax.collections[1].get_segments()) == 2
+
+
 def test_scored_image_tells_all_four_kinds():
     truth = pl.Truth(np.array([[True, True, False, False, True]]), np.array([[False, False, False, False, True]]))
     image = scored_image([[True, False, True, False, True]], truth)
