@@ -8,7 +8,7 @@ from .comparison import interval_lines as interval_lines
 from .comparison import looks_axis as looks_axis
 from .depth_camera import depth_image as depth_image
 from .depth_camera import strip_ranges as strip_ranges
-from .cost import cost as cost
+from .growth import cost as cost
 from .extraction import corners as corners
 from .extraction import doors as doors
 from .extraction import drawing as drawing
