@@ -64,7 +64,7 @@ class Label:
 
 
 def furnish(
-    cell: Cell, doors: list[DoorPart], label: Label, gap: float | None, rng: np.random.Generator
+    cell: Cell, doors: list[DoorPart], label: Label, gap: float | None, rng: np.random.Generator, passage: float = 0.0
 ) -> tuple[list[Furniture], list[Stairs], Room]:
     """Fill a room and find a place for its label.
 
@@ -72,8 +72,9 @@ def furnish(
     ----------
     doors : all doors of the house
     gap : between loose furniture and walls, metres; what is built in touches them; None leaves the room empty
+    passage : floor kept clear beyond a door's swing, metres
     """
-    floor = _Floor(cell.box, [swing for door in doors if (swing := _swing(cell, door)) is not None])
+    floor = _Floor(cell.box, [swing for door in doors if (swing := _swing(cell, door, passage)) is not None])
     flights = _flight(cell, floor) if cell.use == "stairs" else []
     groups: list[list[Furniture]] = []  # each has taken one box of the floor
     for kind, size in NEEDS.get(cell.use, ()) if gap is not None else ():
@@ -95,14 +96,14 @@ def furnish(
     return [piece for group in groups for piece in group], flights, room
 
 
-def _swing(cell: Cell, door: DoorPart) -> Box | None:
+def _swing(cell: Cell, door: DoorPart, passage: float) -> Box | None:
     """The part of a room that a door needs, in the room's frame; None when the door is elsewhere."""
     x, y = turned(np.array(door.at) - cell.block.origin, -cell.block.turn)
     left, bottom, right, top = cell.box
     dx, dy = max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top)
     if max(dx, dy) > 0.6:
         return None
-    deep, half = 0.65 * door.width if door.kind == "double" else door.width, door.width / 2 + 0.1
+    deep, half = passage + (0.65 * door.width if door.kind == "double" else door.width), door.width / 2 + 0.1 + passage / 2
     across = (deep, half) if dx > dy else (half, deep)
     return (x - across[0] - dx, y - across[1] - dy, x + across[0] + dx, y + across[1] + dy)
 

@@ -28,8 +28,12 @@ CLEAR = 3.0
 """Least gap between loose furniture and walls, pixels."""
 
 
-def grow_building(recipe: Recipe) -> Description:
+def grow_building(recipe: Recipe, passage: float = 0.0) -> Description:
     """The building of a recipe: rooms, doors, windows, furniture, and the sheet it is drawn on.
+
+    Parameters
+    ----------
+    passage : floor kept clear beyond the swing of every door, metres; a robot that drives through needs some
 
     >>> len(grow_building(Recipe("one", seed=1, rooms=5)).rooms)
     5
@@ -50,7 +54,7 @@ def grow_building(recipe: Recipe) -> Description:
     above = STAMP * text if "stamps" in recipe.clutter else 0.0
     for cell, name in zip(shell.cells, names, strict=True):
         label = Label(name, 1.1 * text, recipe.font, above)
-        pieces, flights, room = furnish(cell, list(shell.doors), label, gap, rng_rooms)
+        pieces, flights, room = furnish(cell, list(shell.doors), label, gap, rng_rooms, passage)
         furniture += pieces
         stairs += flights
         rooms.append(room)

@@ -196,7 +196,8 @@ def _doors(recipe: Recipe, links: list[Link], hall: Cell, outer: float, rng: np.
     entrance = Side(outer / 2, hall.box[1], hall.box[3], "west")
     kinds = cycle(sorted(map(str, recipe.doors), key=lambda kind: not kind.startswith("double")))
     narrow = cycle([str(kind) for kind in recipe.doors if kind not in WIDE] or ["arc"])
-    doors = [_door(hall.block, entrance, next(kinds), "east", 0.95, rng)]
+    front = _door(hall.block, entrance, next(kinds), "east", 0.95, rng)
+    doors = [replace(front, open=0.0)]  # shut in the world, or its leaf would stand before the next door
     for one, other, side in links:
         opposite: Compass = {"north": "south", "south": "north", "east": "west", "west": "east"}[side.towards]  # type: ignore[assignment]
         opens = side.towards if one.use in ("hall", "corridor") or side.towards == "east" else opposite

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from priorlab.buildings.description import read_description
-from priorlab.buildings.floor_plans import floor_plan_names
+from priorlab.buildings.floor_plans import build_floor_plan, floor_plan_names
 from priorlab.buildings.frame import frame_of
 from priorlab.buildings.geometry import leaves_of
 from priorlab.buildings.grow import draw_recipe, grow_building, wall_area
@@ -195,3 +195,10 @@ def test_any_seed_grows_a_building(kind, seed):
     layout = lay_out(description)  # every door and window stands on a wall
     assert len(layout.doors) >= len(description.rooms) == 6 + seed % 5
     assert {door.part.kind for door in layout.doors} == {"arc"}
+
+
+@pytest.mark.parametrize("kind", ["flat", "corridor", "wing"])
+def test_a_building_per_student_can_be_driven_through(kind):
+    recipe = Recipe("mine", seed=4, kind=kind, rooms=7, long_side=420)
+    plan = build_floor_plan(grow_building(recipe, passage=0.5))
+    assert len(plan.tour) > 7 and len(plan.survey) > 7 and len(plan.truth.doors) >= 7
