@@ -14,7 +14,7 @@ from priorlab.core.grid import Grid
 from priorlab.core.progress import Progress
 from priorlab.core.readings import Readings
 from priorlab.core.sensor import RangeSensor
-from priorlab.robot.indoors import outdoors
+from priorlab.robot.indoors import is_outdoors
 from priorlab.robot.range_noise import RangeNoise, disturb
 from priorlab.robot.rays import cast_rays
 
@@ -102,14 +102,12 @@ def _check_survey(building: Truth | World, survey: ArrayLike) -> NDArray[np.floa
         row, (height, width) = outside[0], obstacles.shape
         x, y = poses[row, :2]
         raise ValueError(f"survey must stay on the map of {width} x {height} pixels, got x, y = {x:g}, {y:g} in row {row}")
-    pixels = tuple(grid.xy_to_pixel(poses[:, :2]).T)
-    blocked = np.flatnonzero(obstacles[pixels])
+    blocked = np.flatnonzero(obstacles[tuple(grid.xy_to_pixel(poses[:, :2]).T)])
     if blocked.size:
         x, y = poses[blocked[0], :2]
         raise ValueError(f"survey must stand in free space, got an obstacle at x, y = {x:g}, {y:g} in row {blocked[0]}")
-    open_air = outdoors(building)
-    if open_air is not None and open_air[pixels].any():
-        left = np.flatnonzero(open_air[pixels])
+    left = np.flatnonzero(is_outdoors(building, poses[:, :2]))
+    if left.size:
         x, y = poses[left[0], :2]
         raise ValueError(f"survey must stay in the building, got x, y = {x:g}, {y:g} outdoors in row {left[0]}")
     return poses
