@@ -152,20 +152,25 @@ def _square(measure: str, values: NDArray[np.float64], edge: float, front: Front
 
 
 def _plane_of_fronts(front: Front, others: Mapping[str, Front]) -> Plane:
-    """Recall and precision: the floor of eq. 4.19 and the fronts."""
+    """Recall and precision: the floor of eq. 4.19 and the fronts, as stairs: between two points nothing can be had."""
     plane = Plane((0, 1.02), (0, 1.02), ("recall", "precision"), "exact front: rings; yours: cross", (330, 300))
     plane.band(x=(0, FLOOR))
     plane.band(y=(0, FLOOR))
     plane.words(0.02, 0.02, f"grey: below {100 * FLOOR:g} %, eq. 4.19")
     for i, (name, one) in enumerate(others.items()):
         marker, colour, dashes = OTHERS[i % len(OTHERS)]
-        plane.line(one.recall, one.precision, f"stroke='{colour}' {dashes}")
+        plane.line(*_stairs(one), f"stroke='{colour}' {dashes}")
         plane.points(one.recall, one.precision, marker, colour, 2.5)
         plane.points(0.06, 0.34 - 0.07 * i, marker, colour, 3)
         plane.words(0.1, 0.32 - 0.07 * i, name)
-    plane.line(front.recall, front.precision, f"stroke='{BLUE}'")
+    plane.line(*_stairs(front), f"stroke='{BLUE}'")
     plane.points(front.recall, front.precision, "ring", BLUE, 4.5)
     return plane
+
+
+def _stairs(front: Front) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Recall and precision along the border of what a front dominates."""
+    return np.repeat(front.recall, 2)[:-1], np.repeat(front.precision, 2)[1:]
 
 
 def _where(best: Best) -> str:
