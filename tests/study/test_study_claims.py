@@ -16,7 +16,6 @@ from priorlab.core.grid import Grid
 from priorlab.core.grid_map import GridMap, Prior
 from priorlab.core.readings import Readings
 from priorlab.core.sensor import RangeSensor
-from priorlab.drawing.extraction import extract_walls
 from priorlab.mapping.evidence import gather_evidence
 from priorlab.mapping.overruled import OverruledSensorWarning
 from priorlab.mapping.prior import build_prior_map
@@ -24,6 +23,7 @@ from priorlab.mapping.recursion import update_step_by_step
 from priorlab.mapping.update import update_map
 from priorlab.optimize.experiment import Experiment
 from priorlab.robot.explore import explore
+from priorlab.study.qualities import extracted
 
 BUILDINGS = floor_plan_names()
 QUICK = 1.5
@@ -38,7 +38,7 @@ def surveyed(name):
     plan = load_floor_plan(name)
     reach = sensor_range(plan.truth)
     quick = load_floor_plan(name, survey_spacing=reach)
-    return plan.truth, extract_walls(plan.drawing).walls, explore(plan.truth, quick.survey, RangeSensor(max_range=reach))
+    return plan.truth, extracted(name).walls, explore(plan.truth, quick.survey, RangeSensor(max_range=reach))
 
 
 @functools.cache
