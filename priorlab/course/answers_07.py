@@ -49,7 +49,7 @@ def _range(rng: np.random.Generator) -> Exercise:
             "The camera sees 58 degrees from the left edge of its image to the right one."
         ),
         answer=lambda: right,
-        because="range = depth / cos(bearing), with tan(bearing) = (column + 0.5 - 320) / 577.3; the sign does not matter here.",
+        because="range = depth / cos(bearing), with tan(bearing) = (column + 0.5 - 320) / 577.3.",
         mistakes=(
             Mistake(lambda: lambda depth, column: depth, "that is the depth taken for the range: 1 / cos(bearing) is missing."),
             Mistake(
@@ -106,8 +106,8 @@ def _strip(rng: np.random.Generator) -> Exercise:
 
     return Exercise(
         asks=(
-            "Write a function that takes a strip (rows x columns, millimetres, 0 = nothing measured) and returns the mean\n"
-            "depth of every column in METRES, numpy.inf where a column has no reading."
+            "Write a function that takes a strip (rows x columns, millimetres, 0 = nothing measured) and\n"
+            "returns the mean depth of every column in METRES, numpy.inf where a column has no reading."
         ),
         answer=lambda: right,
         because="a zero is no distance but a missing one: averaged in, it would put a wall where there is none.",
@@ -143,11 +143,11 @@ def _row(rng: np.random.Generator) -> Exercise:
     rise = (height - lens) / depth
     return Exercise(
         asks=(
-            f"A wall {height:g} m high stands square to the camera at a depth of {depth:g} m; the lens is {lens:g} m above the "
-            "floor.\nIn which row (0 at the top, 480 rows, the axis between 239 and 240) does its top edge appear? To 1 row."
+            f"A wall {height:g} m high stands square to the camera at a depth of {depth:g} m; the lens is\n{lens:g} m above the "
+            "floor. In which row (0 at the top, 480 rows, the axis between 239 and 240)\ndoes its top edge appear? To 1 row."
         ),
         answer=lambda: ROWS / 2 - focal * rise,
-        because="similar triangles: 577.3 x (height - lens) / depth rows above the middle. A strip above that row looks over it.",
+        because="577.3 x (height - lens) / depth rows above the middle; a higher strip looks over it.",
         mistakes=(
             Mistake(lambda: ROWS / 2 + focal * rise, "rows are counted from the TOP: what is higher has a smaller row."),
             Mistake(lambda: ROWS / 2 - focal * height / depth, "the lens stands above the floor: take its height off."),
@@ -170,11 +170,12 @@ def _loss() -> Exercise:
     """A worse camera, a better map."""
     return Exercise(
         asks=(
-            f"Find a share of the image (0 to 0.9) that the camera may LOSE so that the map with the plan scores at least\n"
-            f"{ENOUGH:g} HIGHER in F2 than with the usual loss of {USUAL_LOSS:g} (one image a pose, cells of 2 px)."
+            f"Find a share of the image (0 to 0.9) that the camera may LOSE so that the map with the plan\n"
+            f"scores at least {ENOUGH:g} HIGHER in F2 than with the usual loss of {USUAL_LOSS:g} "
+            "(one image a pose, cells of 2 px)."
         ),
         answer=lambda: 0.6,
-        because="the plan is perfect, so every look can only argue against it; a camera that says less does less harm.",
+        because="the plan is perfect, every look can only argue against it; who says less does less harm.",
         hints=("what could the map be like if the camera saw nothing at all?", "try 0.6, and look at 'readings alone' too."),
         accept=_is_better,
     )

@@ -18,11 +18,10 @@ DEPTH_LEGEND = "dark: near, light: far, light blue: nothing measured"
 
 def depth_picture(image: ArrayLike, camera: DepthCamera) -> NDArray[np.uint8]:
     """(rows, columns, 3) a depth image as fig. 5.12 shows it: dark = near, light = far, and light blue without a depth."""
-    depth = np.asarray(image).astype(np.float32)
-    grey = 30 + 215 * (depth / 1000 - camera.min_depth_m) / (camera.max_depth_m - camera.min_depth_m)
-    shades = np.rint(grey.clip(0, 255)).astype(np.uint8)[..., None].repeat(3, axis=-1)
-    shades[depth == 0] = NOTHING
-    return shades
+    grey = 30 + 215 * (np.arange(2**16) / 1000 - camera.min_depth_m) / (camera.max_depth_m - camera.min_depth_m)
+    shades = np.rint(grey.clip(0, 255)).astype(np.uint8)[:, None].repeat(3, axis=1)  # one for each depth there can be
+    shades[0] = NOTHING
+    return shades[np.asarray(image)]
 
 
 def depth_image(image: ArrayLike, camera: DepthCamera, ax: Axes | None = None, title: str | None = None) -> Axes:

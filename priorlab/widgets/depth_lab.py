@@ -25,6 +25,8 @@ from priorlab.widgets.sliders import Slider
 
 RAY, HIT, ROBOT = (86, 180, 233), (213, 94, 0), (0, 114, 178)
 EVERY_RAY = 16
+HALF, ZOOM = 2, 2
+"""Every second pixel of a depth image is shown, every pixel of the map twice."""
 
 PRESETS: dict[str, dict[str, float]] = {
     "the Kinect, 1 image a pose": {"repeats": 1, "noise": 1, "holes": 0.05, "cell_size": 2, "strip_row": 230},
@@ -45,7 +47,6 @@ class DepthLab(Lab):
     survey : made by `survey_arena`
     pose : how many poses the map has used; the image shown is the last one's
     cell_size : pixels
-    width : of each picture on the screen, CSS pixels
 
     Attributes
     ----------
@@ -54,7 +55,7 @@ class DepthLab(Lab):
     readings : of all poses so far
     """
 
-    def __init__(self, survey: DepthSurvey, pose: int = 2, cell_size: int = 2, width: int = 400) -> None:
+    def __init__(self, survey: DepthSurvey, pose: int = 2, cell_size: int = 2) -> None:
         camera, n_poses = survey.camera, len(survey.depths)
         self._survey = survey
         self.pose = Slider("poses used", pose, 1, n_poses, 1, "the map holds poses 1 to here; the image is the last one")
@@ -71,7 +72,7 @@ class DepthLab(Lab):
         super().__init__(
             {name: getattr(self, name) for name in names},
             {"all poses": {"pose": n_poses}, **PRESETS},
-            [Picture(width=width), Picture(width=width)],
+            [Picture(), Picture()],  # as large as they come: nothing to scale on the way
         )
 
     def refresh(self) -> None:
@@ -92,8 +93,9 @@ class DepthLab(Lab):
         )
         newest = self.readings[-1:]
         self.image = survey.image(last, repeats - 1, noise)
-        picture = depth_picture(self.image, camera)
-        cv2.rectangle(picture, (0, row), (camera.columns - 1, row + camera.strip_rows), STRIP, 3)
+        picture = depth_picture(self.image[::HALF, ::HALF], camera)
+        bottom = (row + camera.strip_rows) // HALF
+        cv2.rectangle(picture, (0, row // HALF), (picture.shape[1] - 1, bottom), STRIP, 2)
         lost = 100 * (1 - newest.valid.mean()) if newest.valid is not None else 0.0
         alt = f"Depth image of pose {last + 1}; {DEPTH_LEGEND}. The frame is the strip, {lost:.0f} % of its columns lost."
         self.pictures[0].show(picture, alt)
@@ -146,7 +148,7 @@ def _metres(value: float) -> str:
     return f"{value:.3f} m" if np.isfinite(value) else "no reading"
 
 
-def _paint(grid_map: GridMap, newest: Readings, zoom: int = 4) -> NDArray[np.uint8]:
+def _paint(grid_map: GridMap, newest: Readings, zoom: int = ZOOM) -> NDArray[np.uint8]:
     """The map, magnified, with the newest fan: rays, what they met, and the robot."""
     image = grey_of(grid_map.grid.to_image(grid_map.p_empty)).repeat(zoom, axis=0).repeat(zoom, axis=1)
     picture = np.ascontiguousarray(image[..., None].repeat(3, axis=2))
@@ -160,8 +162,8 @@ def _paint(grid_map: GridMap, newest: Readings, zoom: int = 4) -> NDArray[np.uin
         cv2.line(picture, start, (round(end[0]), round(end[1])), RAY, 1, cv2.LINE_AA)
     met = known & (newest.ranges[0] <= newest.sensor.max_range)
     for column, row in np.rint(ends[met][:: EVERY_RAY // 4]).astype(int):
-        cv2.circle(picture, (int(column), int(row)), 2, HIT, -1)
+        cv2.circle(picture, (int(column), int(row)), 1, HIT, -1)
     turn = theta + np.array([0.0, 2.6, -2.6])
-    corners = start + 3.0 * zoom * np.column_stack([np.cos(turn), -np.sin(turn)])
+    corners = start + 4.0 * zoom * np.column_stack([np.cos(turn), -np.sin(turn)])
     cv2.fillPoly(picture, [np.rint(corners).astype(np.int32)], ROBOT, cv2.LINE_AA)
     return picture

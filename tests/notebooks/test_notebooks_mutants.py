@@ -47,7 +47,8 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
         "np.inf + below",
         3,
     ),
-    "no reading is free": (DEPTH, "robot/strip.py", "image_shape, valid)", "image_shape)", 4),
+    "no reading is free": (DEPTH, "robot/strip.py", "image_shape, valid)", "image_shape)", 2),
+    "one image three times": (DEPTH, "study/depth_survey.py", "for repeat in range(repeats)]", "for repeat in [0] * repeats]", 4),
     "sensor model ignored": (DEPTH, "study/depth_survey.py", "wall_thickness, p_free, p_occupied)", "wall_thickness)", 5),
 }
 
