@@ -100,8 +100,9 @@ def _sheet(means: dict[Half, dict[str, dict[str, float]]], styles: dict[Half, di
 
 
 def _cells(one: dict[str, float]) -> list[str]:
-    """A method's means as words."""
-    return [*(_percent(one[column], 3 if column == "false_positive_rate" else 1) for column in COLUMNS), _met(one)]
+    """A method's means as words; a method that finds no doors at all looks for none."""
+    shown = one if one["door_precision"] >= 0 else {**one, "door_recall": -1.0}
+    return [*(_percent(shown[column], 3 if column == "false_positive_rate" else 1) for column in COLUMNS), _met(one)]
 
 
 def _short(one: dict[str, float]) -> list[str]:
