@@ -11,12 +11,14 @@ from priorlab.buildings.degradations import degrade
 from priorlab.buildings.floor_plans import draw_plan
 from priorlab.buildings.furnishing import Label, furnish
 from priorlab.buildings.layout import lay_out
+from priorlab.buildings.outline import outline_of
 from priorlab.buildings.paper import coverage
 from priorlab.buildings.parts import Description, Furniture, Room, Sheet, Stairs
 from priorlab.buildings.recipe import Recipe
 from priorlab.buildings.room_words import WORDS
-from priorlab.buildings.shell import outline_of, shell_of
-from priorlab.buildings.surroundings import STAMP, Site, margins_of, surround
+from priorlab.buildings.shell import shell_of
+from priorlab.buildings.site import STAMP, Site, margins_of
+from priorlab.buildings.surroundings import surround
 from priorlab.buildings.wall_masks import wall_masks
 from priorlab.core.building import Truth
 from priorlab.core.drawing import Drawing

@@ -17,7 +17,8 @@ from priorlab.buildings.paper import Paper
 from priorlab.buildings.parts import FURNITURE_SIZES, Furniture
 from priorlab.buildings.pen import Pen
 from priorlab.buildings.recipe import Recipe, WallLook, read_recipes
-from priorlab.buildings.surroundings import DRAWN, ROOM
+from priorlab.buildings.site import ROOM
+from priorlab.buildings.surroundings import DRAWN
 from priorlab.buildings.symbol_families import FAMILIES
 from priorlab.core.shipped import data_folder
 
