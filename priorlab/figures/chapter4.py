@@ -12,6 +12,7 @@ from priorlab.figures.case import cases, searched_front
 from priorlab.figures.figure import Entry, Outcome, sheet, verdict_of
 from priorlab.optimize.clusters import Clusters, cluster
 from priorlab.optimize.front import Front
+from priorlab.study.thesis_drawings import QUICK
 
 PROPOSED = (0.2, 0.9)
 """p_wall and p_space that the thesis proposes for every drawing."""
@@ -118,6 +119,8 @@ def _clusters(rng: np.random.Generator) -> Outcome:
     as_thesis = [low_wall.count(True) > 0, any(centre[0] > 0.5 and centre[1] > 0.48 for centre in three.centres)]
     as_thesis.append(any(centre[0] < 0.3 and centre[1] < 0.6 for centre in three.centres))
     said = "; ".join(f"({w:.2f}, {s:.2f})" for w, s in three.centres.tolist())
+    quick = np.concatenate([one.experiment.sweep().front().priors for one in cases(spacing=QUICK)])
+    low, high = (float(end(quick[:, 0])) if len(quick) else float("nan") for end in (np.min, np.max))
     thesis = dict(zip(("about (0.2, 0.8)", "both high", "both low"), as_thesis, strict=True))
     found = [name for name, there in thesis.items() if there]
     return Outcome(
@@ -128,12 +131,14 @@ def _clusters(rng: np.random.Generator) -> Outcome:
             "ranges_of_three": [str(box) for box in three.ranges],
             "spread": {str(m): _spread_of(one) for m, one in groups.items()},
             "thesis_clusters_found": thesis,
+            "exact_fronts_after_a_quick_survey": quick.tolist(),
             "note": three.note,
         },
         verdict_of([*as_thesis, near]),
         f"{len(three.priors)} priors, centres at {said or 'none'} for M = 3; of the thesis's three clusters "
         f"{sum(as_thesis)} have one of ours ({', '.join(found) or 'none'}); "
-        f"(0.2, 0.9) has {'a' if near else 'no'} prior within 0.1 of it",
+        f"(0.2, 0.9) has {'a' if near else 'no'} prior within 0.1 of it; after a quick survey all {len(quick)} "
+        f"points of the exact fronts have p_wall {low:.2f} to {high:.2f}",
         "The priors of all Pareto fronts over p_wall and p_space: as points, and in 2, 3 and 4 clusters with a cross at each "
         "centre.",
     )

@@ -84,8 +84,8 @@ def _interpolation(rng: np.random.Generator) -> Outcome:
         f"straight lines err by up to {largest['lines']:.2f} ({mean['lines']:.3f} on average), cubics by up to "
         f"{largest['cubics']:.2f} ({mean['cubics']:.3f}), beside the cliff p x 0.9 = 0.2 in {sum(at_cliff)} of {len(at_cliff)} "
         f"cases; cubics lower a mean error by {better:.3f} at best, so the order "
-        f"{'hardly matters' if better < 0.01 else 'matters'}: {'neither follows' if min(largest.values()) > 0.05 else 'one follows'} "
-        f"a cliff",
+        f"{'hardly matters' if better < 0.01 else 'matters'}: {'neither' if min(largest.values()) > 0.05 else 'one'} follows a "
+        f"cliff",
         "Mean and largest error in precision of linear and cubic interpolation of the 10 x 10 priors, for each drawing.",
     )
 
@@ -148,13 +148,13 @@ def _best_at(threshold: float, base: Experiment) -> dict[str, Any]:
 
 
 CLAIM_RATES = Entry(
-    "claim-false-positive-rate",
+    "claim-rates",
     "precision against false positive rate",
     "A higher precision always comes with a lower false positive rate, so one of the two measures is enough (4.3.2).",
     _rates,
 )
 CLAIM_INTERPOLATION = Entry(
-    "claim-interpolation",
+    "claim-linear",
     "linear and cubic interpolation of the 10 x 10 priors against the exact sweep",
     "Steps of 0.1 are small enough for linear interpolation; a higher order would hardly matter (4.6).",
     _interpolation,

@@ -222,7 +222,7 @@ STUDY_CELLS = Entry(
     _cells,
 )
 STUDY_EXPLORATION = Entry(
-    "study-exploration",
+    "study-explored",
     "F2 by explored share, seen and unseen parts apart",
     "A prior improves the map of an incomplete exploration (5.2.1).",
     _exploration,

@@ -111,6 +111,8 @@ def with_extra_wall(walls: Walls, rng: np.random.Generator) -> Walls:
 def typical_thickness(mask: NDArray[np.bool_]) -> int:
     """How thick walls are, pixels: across a strip t thick the distance to its nearest side is (t + 2) / 4 on average.
 
+    Strips of 1 and 2 pixels look alike; both count as 2.
+
     >>> strip = np.zeros((20, 60), dtype=bool)
     >>> strip[8:12] = True
     >>> typical_thickness(strip)

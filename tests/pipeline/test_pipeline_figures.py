@@ -1,4 +1,4 @@
-"""Figures: verdicts are computed from the numbers, files hold them, the registry names them; the study against slow steps."""
+"""Figures: verdicts are computed from the numbers, files hold them, the registry names them."""
 
 import json
 
@@ -6,16 +6,11 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-import priorlab as pl
 from priorlab.cli import main
-from priorlab.core.readings import Evidence
-from priorlab.core.score import score_mask
 from priorlab.drawing.strokes import opened
 from priorlab.figures.figure import Entry, Outcome, verdict_of
 from priorlab.figures.registry import FIGURES, figure_named
 from priorlab.figures.writing import write_figures
-from priorlab.mapping.recursion import update_step_by_step
-from priorlab.study.density import DensityRow, gain_by_density
 
 
 def entry(name, value):
@@ -74,26 +69,3 @@ def test_opened_keeps_what_holds_a_square():
                 if ink[row : row + side, col : col + side].all():
                     kept[row : row + side, col : col + side] = True
         assert np.array_equal(opened(ink, side)[side:-side, side:-side], kept[side:-side, side:-side]), side
-
-
-def test_gain_by_density_agrees_with_the_recursion():
-    (row,) = gain_by_density(["small_flat"], spacings=[25.0])
-    plan = pl.load_floor_plan("small_flat", survey_spacing=25.0)
-    assert row.poses == len(plan.survey)
-    walls = pl.extract_walls(plan.drawing).walls
-    readings = pl.explore(plan.truth, plan.survey, pl.RangeSensor())
-    start = pl.build_prior_map(walls, pl.Prior(), cell_size=3)
-    slow = update_step_by_step(start, readings)
-    f2 = score_mask(start.grid.to_image(slow.detected()), plan.truth).f_beta
-    assert row.f2_prior == pytest.approx(f2)
-    assert isinstance(pl.gather_evidence(readings, start.grid), Evidence)
-
-
-def test_density_row_gain_is_nan_when_nothing_was_found_without_the_prior():
-    assert np.isnan(DensityRow("hut", 5.0, 3, 1.0, 0.5, 0.0, 0.4).gain_percent)
-    assert DensityRow("hut", 5.0, 3, 1.0, 0.6, 0.4, 0.4).gain_percent == pytest.approx(50.0)
-
-
-def test_more_poses_are_more_looks_and_less_gain():
-    quick, dense = gain_by_density(["small_flat"], spacings=[25.0, 5.0])
-    assert dense.mean_looks > 2 * quick.mean_looks and dense.gain_percent < quick.gain_percent
