@@ -31,8 +31,16 @@ from .drawing.method import THESIS as THESIS
 from .drawing.method import Method as Method
 from .drawing.walls import detect_walls as detect_walls
 from .interchange.images import read_drawing as read_drawing
+from .interchange.pose_files import read_poses as read_poses
 from .mapping.evidence import gather_evidence as gather_evidence
+from .mapping.other_priors import constant_prior as constant_prior
+from .mapping.other_priors import drawing_as_it_is as drawing_as_it_is
+from .mapping.other_priors import non_white as non_white
+from .mapping.over_time import OverTime as OverTime
+from .mapping.over_time import score_over_time as score_over_time
 from .mapping.prior import build_prior_map as build_prior_map
+from .mapping.timeline import EvidenceOverTime as EvidenceOverTime
+from .mapping.timeline import evidence_over_time as evidence_over_time
 from .mapping.update import update_map as update_map
 from .optimize.clusters import Clusters as Clusters
 from .optimize.clusters import cluster as cluster
@@ -42,6 +50,7 @@ from .optimize.pareto import pareto_front as pareto_front
 from .optimize.sweep import Sweep as Sweep
 from .robot.drive import drive as drive
 from .robot.explore import explore as explore
+from .robot.range_noise import RangeNoise as RangeNoise
 from .slam.fastslam import FastSLAM as FastSLAM
 from .slam.parameters import TABLE_6_1 as TABLE_6_1
 from .slam.parameters import TUNED as TUNED
