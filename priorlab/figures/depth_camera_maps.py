@@ -120,8 +120,8 @@ def _over_time(rng: np.random.Generator) -> Outcome:
         f"the plan it ends at {last[REPEATS][WITHOUT]} and {last[1][WITHOUT]}; the thesis reads about 0.4 against 0.2 with 1: "
         f"the {'ratio' if half else 'order'} is ours too, our levels are {levels}; the plan alone, which the thesis does not "
         f"draw, stands {'above' if alone > highest else 'not above'} every final map; the levels hang on what 'beyond' means in "
-        f"eq. 5.6: with the hit cell alone (eq. 6.1) 1 image ends at {_pair(readings_of_beyond['hit_cell'])} with and without the "
-        f"plan, with the whole shadow (the letter) at {_pair(readings_of_beyond['all'])}",
+        f"eq. 5.6: with the hit cell alone (eq. 6.1) 1 image ends at {_pair(readings_of_beyond['hit_cell'])} with and without "
+        f"the plan, with the whole shadow (the letter) at {_pair(readings_of_beyond['all'])}",
         "Two plots of F2 over the images taken: with the plan a line that falls from above 0.9, without it one that rises from 0 "
         "and stays below; the plan alone is dotted; shaded: the range over the surveys.",
     )

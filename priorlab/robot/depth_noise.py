@@ -46,31 +46,37 @@ class DepthNoise:
 class FaultDraws(NamedTuple):
     """The chance in one depth image, whatever the size of its faults: one fault can be changed and the others stay.
 
-    spread : (rows, columns) standard normal, one for a pixel
+    spread : (rows, columns) standard normal, one for a pixel; half precision, since many images are kept
     wave : (columns,) smooth, one for a column
-    patches : (rows, columns) between 0 and 1; below the hole rate the pixel is lost
+    patches : (P, Q) between 0 and 1; below the hole rate the patch is lost
+    patch_row, patch_column : (rows,) and (columns,) the patch that a pixel lies in
     """
 
-    spread: NDArray[np.float32]
+    spread: NDArray[np.float16]
     wave: NDArray[np.float64]
-    patches: NDArray[np.float32]
+    patches: NDArray[np.float64]
+    patch_row: NDArray[np.int64]
+    patch_column: NDArray[np.int64]
 
     def rows(self, chosen: slice) -> FaultDraws:
         """Those of some rows."""
-        return FaultDraws(self.spread[chosen], self.wave, self.patches[chosen])
+        return self._replace(spread=self.spread[chosen], patch_row=self.patch_row[chosen])
+
+    def lost(self, hole_rate: float) -> NDArray[np.bool_]:
+        """(rows, columns) True where a pixel is lost at this rate."""
+        return (self.patches < hole_rate)[self.patch_row[:, None], self.patch_column]
 
 
 def draw_faults(rng: np.random.Generator | None, shape: tuple[int, int], hole_side: int = 32) -> FaultDraws:
     """Draw the chance of one image of a camera."""
     rng = check_rng(rng)
     rows, columns = shape
-    spread = rng.standard_normal(shape, dtype=np.float32)
+    spread = rng.standard_normal(shape, dtype=np.float32).astype(np.float16)
     knots = rng.standard_normal(2 + columns // hole_side)
     wave = np.interp(np.arange(columns) / hole_side, np.arange(len(knots)), knots)
-    patches = rng.random((2 + rows // hole_side, 2 + columns // hole_side), dtype=np.float32)
-    down, right = rng.integers(0, hole_side, 2)
-    whole = patches.repeat(hole_side, axis=0).repeat(hole_side, axis=1)
-    return FaultDraws(spread, wave, whole[down : down + rows, right : right + columns])
+    patches = rng.random((2 + rows // hole_side, 2 + columns // hole_side))
+    down, right = (int(offset) for offset in rng.integers(0, hole_side, 2))
+    return FaultDraws(spread, wave, patches, (np.arange(rows) + down) // hole_side, (np.arange(columns) + right) // hole_side)
 
 
 def disturb_depth(depth_m: NDArray[np.float64], noise: DepthNoise, draws: FaultDraws) -> NDArray[np.float64]:
@@ -88,8 +94,9 @@ def disturb_depth(depth_m: NDArray[np.float64], noise: DepthNoise, draws: FaultD
     0.0056
     """
     squared = np.where(np.isfinite(depth_m), depth_m, 0.0) ** 2
-    seen = depth_m + (noise.deviation_at_1m * draws.spread + noise.common_at_1m * draws.wave) * squared
-    return np.where(draws.patches < noise.hole_rate, np.inf, seen)
+    spread = draws.spread.astype(np.float32)
+    seen = depth_m + (noise.deviation_at_1m * spread + noise.common_at_1m * draws.wave) * squared
+    return np.where(draws.lost(noise.hole_rate), np.inf, seen)
 
 
 def in_millimetres(depth_m: NDArray[np.float64], min_depth_m: float, max_depth_m: float) -> NDArray[np.uint16]:
