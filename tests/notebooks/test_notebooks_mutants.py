@@ -17,7 +17,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 START, PRIORS, LOG_ODDS, SWEEP = "00_start_here", "03_priors", "04_log_odds", "05_pareto_sweep"
-DEPTH = "07_depth_camera"
+WORTH, DEPTH = "06_worth_it", "07_depth_camera"
 CLOSED_FORM = "l_0 + total - lam * looks * l_0"
 MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red first
     "log10 for ln": (LOG_ODDS, "core/log_odds.py", "np.log(p / (1.0 - p))", "np.log10(p / (1.0 - p))", 1),
@@ -37,7 +37,18 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
     "another floor": (SWEEP, "optimize/front.py", "FLOOR = 0.4", "FLOOR = 0.55", 2),
     "steps for lines": (SWEEP, "optimize/interpolation.py", "first + share * (second - first)", "first + 0 * share * second", 3),
     "threshold of the score fixed": (SWEEP, "core/log_odds.py", "min(float(log_odds(threshold))", "min(float(log_odds(0.2))", 4),
-    "clusters in another order": (SWEEP, "optimize/clusters.py", "lexsort(means", "lexsort(-means", 5),
+    "twice is three times": (SWEEP, "study/recall_reasons.py", "pixels[(n >= 2) &", "pixels[(n >= 3) &", 5),
+    "unseen is seen": (WORTH, "study/worth.py", "score_map(informed, only_unseen", "score_map(informed, only_seen", 1),
+    "readings without news": (WORTH, "mapping/over_time.py", "(looks.total + looks.added)", "looks.total", 2),
+    "the farthest poses": (WORTH, "study/surveys.py", "nearest = np.argsort(np.hypot", "nearest = np.argsort(-np.hypot", 3),
+    "points for per cent": (
+        WORTH,
+        "widgets/density_lab.py",
+        "self.with_plan / self.without - 1",
+        "self.with_plan - self.without",
+        4,
+    ),
+    "half as much missing": (WORTH, "study/damaged_walls.py", "to_lose = round(share", "to_lose = round(0.5 * share", 5),
     "depth for range": (DEPTH, "robot/strip.py", "depth_m / np.cos(camera.bearings), np.inf", "depth_m, np.inf", 1),
     "zeros averaged in": (DEPTH, "robot/strip.py", "np.maximum(count, 1) / 1000.0", "len(strip) / 1000.0", 2),
     "walls without a top": (
