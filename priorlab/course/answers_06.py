@@ -119,6 +119,6 @@ def _verdict() -> Exercise:
         hints=("which single drawing decides about 'all'?", "min(gains) >= 20."),
         inputs=tuple(
             ([float(gain) for gain in gains],)
-            for gains in ((30, 25, 120), (150, 180, -15), (20, 20, 21), (5, 8, 12), (45, 19.9, 60), (30, 5, 10))
+            for gains in ((30, 25, 120), (150, 180, -15), (20, 20, 21), (5, 8, 12), (45, 19.9, 60), (30, 5, 10), (0.1, 30, 40))
         ),
     )
