@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -122,12 +123,28 @@ def connect(
     distance = np.hypot(*(points[:, None, :] - points[None, :, :]).transpose(2, 0, 1))
     start, end = np.nonzero(np.triu((distance >= min_length) & (distance <= max_length), k=1))
     snapped = snap_to_ink(ink, points, reach)
+    near_each_other = _meets(ink, snapped, reach)
+    meets = near_each_other[start] == near_each_other[end]
+    start, end = start[meets], end[meets]
     there = _walk_from_ink(ink, snapped[start], snapped[end], reach)
     near[start[there], end[there]] = True
     start, end = start[~there], end[~there]  # connected = walk(a, b) or walk(b, a)
     back = _walk_from_ink(ink, snapped[end], snapped[start], reach)
     near[start[back], end[back]] = True
     return near | near.T
+
+
+def _meets(ink: NDArray[np.bool_], points: NDArray[np.int64], reach: int) -> NDArray[np.int64]:
+    """(N,) a label for each point: no walk arrives from a point at one with another label, whichever way it turns.
+
+    Walkers stay on their component of ink and arrive within `reach`: components of the ink grown by it.
+    """
+    side = 2 * reach + 1
+    grown = cv2.dilate(np.pad(ink, reach).astype(np.uint8), np.ones((side, side), np.uint8))
+    _, labels = cv2.connectedComponents(grown, connectivity=8)
+    height, width = grown.shape
+    x, y = np.clip(points + reach, 0, [width - 1, height - 1]).T
+    return np.asarray(labels[y, x], dtype=np.int64)
 
 
 def _walk_from_ink(ink: NDArray[np.bool_], origins: NDArray[np.int64], goals: NDArray[np.int64], reach: int) -> NDArray[np.bool_]:

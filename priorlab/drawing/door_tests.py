@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.drawing.geometry import angles_deg, nearest_to_equal, side_lengths
+from priorlab.drawing.jamb_walls import Jambs, meets_other_leaf, read_jambs
 from priorlab.drawing.method import Method
 from priorlab.drawing.outer_walls import extreme_corners
 from priorlab.drawing.overlap import dark_share, overlap_with_kept
 from priorlab.drawing.preprocessing import Sheet
-from priorlab.drawing.symbol import Symbols, is_box, meets_other_leaf, read_symbols
+from priorlab.drawing.symbol import WORTH, Symbols, is_box, read_symbols
 
 SURE_SUPPORT = 0.9
 """Share of wall ink beyond both jambs of a door without an arc."""
@@ -25,6 +26,9 @@ SURE_INK = 0.9
 
 SURE_OPEN = 0.1
 """Share of ink that the open side of a door without an arc stays below."""
+
+LONG_WALL = 5.0
+"""What stands at the jambs of a door without an arc is so many times as long as the door is wide; furniture is not."""
 
 SLACK_SHARE = 0.001
 """Ink counts as on a line of a symbol within this share of M, and at least within a pixel."""
@@ -72,12 +76,14 @@ class Scene:
     method : the bounds
     corners : (N, 2) x, y
     connected : (N, N) bool
+    thorough : measure hopeless candidates too, for somebody who wants to see it
     """
 
     sheet: Sheet
     method: Method
     corners: NDArray[np.float64]
     connected: NDArray[np.bool_]
+    thorough: bool = False
 
     @cached_property
     def widened(self) -> NDArray[np.bool_]:
@@ -106,24 +112,36 @@ class Shortlist:
     @cached_property
     def symbols(self) -> Symbols:
         """The triangles read as doors."""
-        return read_symbols(self.scene.widened, self.scene.sheet.walls, self.triangles)
+        thorough = self.scene.thorough or self.scene.method.min_leaf < WORTH
+        return read_symbols(self.scene.widened, self.triangles, thorough)
+
+    @cached_property
+    def jambs(self) -> Jambs:
+        """What stands at their jambs."""
+        return read_jambs(self.scene.sheet.lines, self.scene.sheet.walls, self.symbols)
+
+    @property
+    def quality(self) -> NDArray[np.float64]:
+        """How much of a door each candidate is, 1 at best: its symbol, and the wall at the weaker jamb."""
+        return self.symbols.quality * (0.5 + 0.5 * self.jambs.support)
 
     def __len__(self) -> int:
         return len(self.triples)
 
     def __getitem__(self, keep: NDArray[np.bool_] | NDArray[np.int64]) -> Shortlist:
         fewer = replace(self, triples=self.triples[keep])
-        if "symbols" in self.__dict__:
-            fewer.__dict__["symbols"] = self.symbols[keep]
+        for seen in ("symbols", "jambs"):
+            if seen in self.__dict__:
+                fewer.__dict__[seen] = getattr(self, seen)[keep]
         return fewer
 
 
 def connectivity(some: Shortlist) -> tuple[Measure, ...]:
-    """Two sides of a door are connected, the third is open (algorithm 3.1)."""
+    """Two sides of a door are connected, the third is open (algorithm 3.1); of a leaf on its own one is."""
     a, b, c = some.triples.T
     connected = some.scene.connected
     n_sides = connected[a, b].astype(float) + connected[b, c] + connected[c, a]
-    return (Measure("connected sides", n_sides, 2, 2),)
+    return (Measure("connected sides", n_sides, 1 if some.scene.method.lone_leaves else 2, 2),)
 
 
 def geometry(some: Shortlist) -> tuple[Measure, ...]:
@@ -147,15 +165,20 @@ def orientation(some: Shortlist) -> tuple[Measure, ...]:
 
 
 def symbol(some: Shortlist) -> tuple[Measure, ...]:
-    """There is ink where a leaf and its swing would be, and the leaf fits the opening."""
+    """There is ink where a leaf and its swing would be, the leaf fits the opening, and neither goes on beyond its tip."""
     method, seen = some.scene.method, some.symbols
-    boxed = is_box(some.scene.widened, seen) & ~seen.has_arc
-    return (
-        Measure("ink along the leaf", seen.leaf, method.min_leaf),
-        Measure("ink along the arc or chord", seen.swing, method.min_arc),
+    alone = seen.is_alone & method.lone_leaves
+    measures = (
+        Measure("ink along the leaf", seen.leaf, np.where(alone, np.maximum(SURE_INK, method.min_leaf), method.min_leaf)),
+        Measure("ink along the arc or chord", seen.swing, np.where(alone, 0.0, method.min_arc)),
+        Measure("ink along the chord of an arc", np.where(seen.has_arc, seen.chord, 0.0), None, method.max_chord),
         Measure("shorter over longer of leaf and open side", seen.equal, method.isosceles_ratio - 0.1, strict=True),
-        Measure("lines that make it a box", boxed.astype(float), None, 0),
+        Measure("ink beyond the tip", seen.beyond, None, method.max_beyond),
     )
+    boxed = np.zeros(len(some))
+    worth = np.flatnonzero(~seen.has_arc & (passed(measures) | some.scene.thorough))
+    boxed[worth] = is_box(some.scene.widened, seen[worth])
+    return (*measures, Measure("lines that make it a box", boxed, None, 0))
 
 
 def open_side(some: Shortlist) -> tuple[Measure, ...]:
@@ -165,15 +188,17 @@ def open_side(some: Shortlist) -> tuple[Measure, ...]:
 
 def jamb_support(some: Shortlist) -> tuple[Measure, ...]:
     """Both jambs stand at walls, or the strike at another leaf's; a door without an arc must be surer of all it has."""
-    least, seen = some.scene.method.min_support, some.symbols
-    at_strike = np.where(meets_other_leaf(seen, least), 1.0, seen.strike_support)
+    least, seen, jambs = some.scene.method.min_support, some.symbols, some.jambs
+    at_strike = np.where(meets_other_leaf(seen, jambs, least), 1.0, jambs.strike_support)
     arc = seen.has_arc
-    unsure = np.where(arc, 0.0, 1.0)
+    support = np.where(arc, least, np.maximum(least, SURE_SUPPORT))
+    sides = np.minimum(seen.leaf, np.where(seen.is_alone, 1.0, seen.chord))
     return (
-        Measure("wall beyond the hinge", seen.hinge_support, np.where(arc, least, np.maximum(least, SURE_SUPPORT))),
-        Measure("wall or leaf beyond the strike", at_strike, np.where(arc, least, np.maximum(least, SURE_SUPPORT))),
-        Measure("ink along leaf and chord, without an arc", np.minimum(seen.leaf, seen.chord), SURE_INK * unsure),
-        Measure("ink on the open side, without an arc", seen.open_ink, None, np.where(arc, np.inf, SURE_OPEN), strict=True),
+        Measure("wall beyond the hinge", jambs.hinge_support, support),
+        Measure("wall or leaf beyond the strike", at_strike, support),
+        Measure("length of what stands at the jambs, in widths", jambs.wall_length / seen.width, np.where(arc, 0.0, LONG_WALL)),
+        Measure("ink along leaf and chord, without an arc", sides, np.where(arc, 0.0, SURE_INK)),
+        Measure("ink beside the open side, without an arc", seen.crossed, None, np.where(arc, np.inf, SURE_OPEN), strict=True),
     )
 
 
@@ -190,21 +215,26 @@ def overlap(some: Shortlist) -> tuple[Measure, ...]:
 
 
 def size_mode(some: Shortlist) -> tuple[Measure, ...]:
-    """The open side is about as long as most; straight doors, easily mistaken, must agree more closely."""
-    factor, widths = some.scene.method.size_mode_factor, some.symbols.width
-    mode = commonest(widths, some.symbols.quality, factor) if factor is not None else None
+    """The open side is about as long as most; doors without an arc, easily mistaken, must agree more closely.
+
+    The smaller leaf of a double door is as wide as it likes.
+    """
+    method, widths = some.scene.method, some.symbols.width
+    factor = method.size_mode_factor
+    mode = commonest(widths, some.quality, factor) if factor is not None else None
     if factor is None or mode is None:
         return (Measure("longer over shorter of open side and the commonest", np.ones(len(widths))),)
     ratio = np.maximum(widths, mode) / np.maximum(np.minimum(widths, mode), 1e-9)
     allowed = np.where(some.symbols.has_arc, factor, np.sqrt(factor))
+    allowed = np.where(meets_other_leaf(some.symbols, some.jambs, method.min_support), np.inf, allowed)
     return (Measure("longer over shorter of open side and the commonest", ratio, None, allowed),)
 
 
 def kind(some: Shortlist) -> tuple[Measure, ...]:
-    """Where at least three doors have an arc, one without is furniture."""
-    arcs = some.symbols.has_arc
+    """Where at least three doors have an arc, a closed triangle is furniture."""
+    arcs, alone = some.symbols.has_arc, some.symbols.is_alone
     least = 1.0 if arcs.sum() >= FEWEST_FOR_A_MODE else 0.0
-    return (Measure("has an arc", arcs.astype(float), least),)
+    return (Measure("has an arc, or nothing at all", (arcs | alone).astype(float), least),)
 
 
 def outer_walls(some: Shortlist) -> tuple[Measure, ...]:

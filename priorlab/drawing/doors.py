@@ -15,9 +15,9 @@ from priorlab.drawing.candidates import DOOR, TESTS, DoorSearch, asked_tests, we
 from priorlab.drawing.connectivity import connect
 from priorlab.drawing.door_tests import ASK, Scene, Shortlist, passed
 from priorlab.drawing.jambs import with_measured_jambs
+from priorlab.drawing.leaves import leaf_candidates, straight_pairs
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.preprocessing import Sheet, prepare
-from priorlab.drawing.symbol import Symbols
 
 
 def detect_doors(drawing: Drawing, corners: ArrayLike, method: Method = ROBUST) -> tuple[Door, ...]:
@@ -45,14 +45,19 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
         raise ValueError(f"corners must be finite numbers of shape (N, 2) for x, y, got shape {points.shape}")
     xy = sheet.points_to_work(points)
     longest = method.max_side_share * float(np.sqrt(sheet.lines.size))
-    connected = connect(walkable(sheet, method), xy, method.min_side / 2, longest * np.sqrt(2), method.reach)
-    scene = Scene(sheet, method, xy, connected)
+    ink = walkable(sheet, method)
+    connected = connect(ink, xy, method.min_side / 2, longest * np.sqrt(2), method.reach)
     candidates = wedges(connected)
+    if method.lone_leaves:
+        near_ink = cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
+        straight = straight_pairs(near_ink, xy, connected, method.min_side, longest, method.min_leaf)
+        candidates = np.vstack([candidates, leaf_candidates(straight, connected, xy, method.isosceles_ratio)])
+    scene = Scene(sheet, method, xy, connected)
     reasons = np.full(len(candidates), DOOR, dtype=np.int8)
     alive, some = np.arange(len(candidates)), Shortlist(scene, candidates)
     for test in asked_tests(method):
         if test == "overlap" and method.keep_best:
-            order = np.argsort(-some.symbols.quality, kind="stable")
+            order = np.argsort(-some.quality, kind="stable")
             alive, some = alive[order], some[order]
         keep = passed(ASK[test](some))
         reasons[alive[~keep]] = TESTS.index(test)
@@ -62,7 +67,7 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
         edges=np.argwhere(np.triu(connected)),
         candidates=candidates,
         reasons=reasons,
-        doors=_as_doors(some.symbols, sheet, method),
+        doors=_as_doors(some, sheet, method),
         sheet=sheet,
         method=method,
     )
@@ -77,12 +82,13 @@ def walkable(sheet: Sheet, method: Method) -> NDArray[np.bool_]:
     return sheet.lines & ~solid.astype(bool)
 
 
-def _as_doors(symbols: Symbols, sheet: Sheet, method: Method) -> tuple[Door, ...]:
+def _as_doors(some: Shortlist, sheet: Sheet, method: Method) -> tuple[Door, ...]:
     """Doors in pixels of the drawing that came in."""
-    kinds = np.where(symbols.has_arc, "arc", "straight")
+    symbols, quality = some.symbols, some.quality
+    kinds = np.where(symbols.has_arc, "arc", np.where(symbols.is_alone, "leaf", "straight"))
     found = []
     for k in range(len(kinds)):
         hinge, strike, tip = ((float(p[k, 0]), float(p[k, 1])) for p in (symbols.hinge, symbols.strike, symbols.tip))
-        door = Door(hinge, strike, tip, kind=str(kinds[k]), quality=round(float(symbols.quality[k]), 4))
+        door = Door(hinge, strike, tip, kind=str(kinds[k]), quality=round(float(quality[k]), 4))
         found.append(with_measured_jambs(door, sheet.walls) if method.measure_jambs else door)
     return sheet.doors_to_input(found)

@@ -13,9 +13,10 @@ from priorlab.drawing.connectivity import snap_to_ink, walk
 from priorlab.drawing.door_tests import ASK, Measure, Scene, Shortlist, passed
 from priorlab.drawing.doors import walkable
 from priorlab.drawing.extraction import Extraction
+from priorlab.drawing.jamb_walls import jamb_points
 from priorlab.drawing.outer_walls import extreme_corners
 from priorlab.drawing.overlap import shared_area, triangle_pixels
-from priorlab.drawing.symbol import arc_points, jamb_points, points_between
+from priorlab.drawing.symbol import arc_points, points_between
 
 QUESTIONS: Mapping[str, str] = {
     "connectivity": "Are two sides drawn, and the third open?",
@@ -115,7 +116,7 @@ def scene_of(search: DoorSearch) -> Scene:
     """What the candidates of a search were held against."""
     connected = np.zeros((len(search.corners),) * 2, dtype=bool)
     connected[search.edges[:, 0], search.edges[:, 1]] = True
-    return Scene(search.sheet, search.method, search.sheet.points_to_work(search.corners), connected | connected.T)
+    return Scene(search.sheet, search.method, search.sheet.points_to_work(search.corners), connected | connected.T, True)
 
 
 def _triple(search: DoorSearch, candidate: int | Sequence[int]) -> tuple[NDArray[np.int64], int | None]:
@@ -154,7 +155,7 @@ def _competitors(
     place = int(np.flatnonzero(rows == row)[0]) if inside else len(rows)
     some = Shortlist(scene, triples)
     if test in ("overlap", "size mode", "kind") and search.method.keep_best:
-        order = np.argsort(-some.symbols.quality, kind="stable")
+        order = np.argsort(-some.quality, kind="stable")
         some, place = some[order], int(np.flatnonzero(order == place)[0])
     return some, place
 

@@ -31,6 +31,9 @@ class Method:
     min_angle : smallest angle allowed, degrees; 0 lets needles pass, as the text does
     max_tilt : the open side lies within so many degrees of an axis (eq. 3.15); 45 allows all
     min_leaf, min_arc, min_support : shares of ink along the leaf, along its arc (or chord), and beyond each jamb; 0 asks for none
+    max_chord : share of ink allowed along the straight line below an arc; 1 asks for nothing
+    max_beyond : share of ink allowed where leaf or arc would go on beyond the tip; 1 asks for nothing
+    lone_leaves : one drawn side is enough: a leaf without an arc, or with a broken one
     max_open_ink : share of ink allowed on the open side; 1 asks for nothing
     max_dark : share of ink allowed inside the triangle (3.3.1: 40 %)
     max_overlap : share of the smaller triangle that two doors may have in common (3.3.1: 30 %)
@@ -69,6 +72,9 @@ class Method:
     min_leaf: float = 0.0
     min_arc: float = 0.0
     min_support: float = 0.0
+    max_chord: float = 1.0
+    max_beyond: float = 1.0
+    lone_leaves: bool = False
     max_open_ink: float = 1.0
     max_dark: float = 0.40
     max_overlap: float = 0.30
@@ -105,7 +111,7 @@ ROBUST = Method(
     deskew=True,
     upscale_below=400,
     min_side=12.0,
-    max_side_share=0.12,
+    max_side_share=0.13,
     thin_share=0.006,
     rounding=False,
     isosceles_ratio=0.82,
@@ -113,9 +119,12 @@ ROBUST = Method(
     min_angle=25.0,
     max_tilt=12.0,
     min_leaf=0.8,
-    min_arc=0.75,
+    min_arc=0.85,
     min_support=0.5,
-    max_open_ink=0.55,
+    max_chord=0.35,
+    max_beyond=0.6,
+    lone_leaves=True,
+    max_open_ink=0.25,
     keep_best=True,
     size_mode_factor=1.5,
     one_kind=True,

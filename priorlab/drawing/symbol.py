@@ -1,17 +1,24 @@
-"""How much a triangle looks like a door: leaf, swing, open side and jambs, each as a share of ink along a line.
+"""How much a triangle looks like a door: leaf, swing and open side, each as a share of ink along a line.
 
 Every measure is taken for many triangles at once by looking up sample points in a mask.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+BARE = 0.2
+"""Less ink than this, along arc and chord alike, is none of a swing: the leaf stands alone."""
+
 ARC_LEAD = 0.4
 """An arc holds so much more ink than its chord."""
+
+WORTH = 0.5
+"""A leaf with less ink than this is none, and its arc is not looked at."""
 
 N_SAMPLES = 32
 """Points looked up along a side or an arc."""
@@ -28,8 +35,9 @@ class Symbols:
     arc : share of ink along the quarter arc from tip to strike
     chord : share of ink along the straight line from tip to strike (a folding door)
     equal : shorter over longer of leaf and open side
-    open_ink : share of ink on the open side, its ends left out
-    hinge_support, strike_support : share of wall ink just beyond each jamb, away from the opening
+    open_ink : share of ink on the open side, its ends left out, or on a line just beside it where that has less: a sill
+    crossed : the same where it has most
+    beyond : share of ink beyond the tip where leaf or arc would go on, less the ink beside that: a table's circle, a crossing
     """
 
     hinge: NDArray[np.float64]
@@ -40,13 +48,8 @@ class Symbols:
     chord: NDArray[np.float64]
     equal: NDArray[np.float64]
     open_ink: NDArray[np.float64]
-    hinge_support: NDArray[np.float64]
-    strike_support: NDArray[np.float64]
-
-    @property
-    def support(self) -> NDArray[np.float64]:
-        """Share of wall ink beyond the weaker jamb."""
-        return np.minimum(self.hinge_support, self.strike_support)
+    crossed: NDArray[np.float64]
+    beyond: NDArray[np.float64]
 
     @property
     def width(self) -> NDArray[np.float64]:
@@ -64,70 +67,72 @@ class Symbols:
         return np.asarray(self.arc >= self.chord + ARC_LEAD)
 
     @property
+    def is_alone(self) -> NDArray[np.bool_]:
+        """Where a leaf has neither arc nor chord."""
+        return np.asarray(np.maximum(self.arc, self.chord) < BARE)
+
+    @property
     def quality(self) -> NDArray[np.float64]:
-        """Product of what a door should have; 1 at best. An arc counts for more than a straight chord."""
-        swing = np.where(self.has_arc, self.arc, 0.8 * self.chord)
-        return self.leaf * swing * self.equal * (1 - self.open_ink) * (0.5 + 0.5 * self.support)
+        """Product of what a symbol should have; 1 at best. An arc counts for more than a chord, a chord for more than none."""
+        swing = np.where(self.has_arc, self.arc, np.where(self.is_alone, 0.6, 0.8 * self.chord))
+        return self.leaf * swing * self.equal * (1 - self.open_ink) * (1 - 0.5 * self.beyond)
 
     def __getitem__(self, keep: NDArray[np.bool_] | NDArray[np.int64]) -> Symbols:
         return Symbols(**{name: getattr(self, name)[keep] for name in self.__dataclass_fields__})
 
 
-def read_symbols(lines: NDArray[np.bool_], walls: NDArray[np.bool_], triangles: NDArray[np.float64]) -> Symbols:
+def read_symbols(lines: NDArray[np.bool_], triangles: NDArray[np.float64], thorough: bool = True) -> Symbols:
     """Measure triangles as doors; of the two ends of the open side the likelier one becomes the hinge.
 
     Parameters
     ----------
     lines : (height, width) bool, all ink, widened by a pixel so that corners may lie beside it
-    walls : (height, width) bool, ink that may be wall
     triangles : (K, 3, 2) tip and the two ends of the open side
+    thorough : measure hopeless ones too; else everything but the leaf stays 0 where that has less ink than `WORTH`
     """
     tip, first, second = triangles[:, 0], triangles[:, 1], triangles[:, 2]
-    one = _measure(lines, walls, tip, first, second)
-    other = _measure(lines, walls, tip, second, first)
-    better = (one.leaf + one.arc + one.equal) >= (other.leaf + other.arc + other.equal)
-    picked = {
-        name: np.where(better.reshape(-1, *[1] * (getattr(one, name).ndim - 1)), getattr(one, name), getattr(other, name))
-        for name in one.__dataclass_fields__
+    one, other = _likeness(lines, tip, first, second), _likeness(lines, tip, second, first)
+    is_first = (one >= other)[:, None]
+    hinge, strike = np.where(is_first, first, second), np.where(is_first, second, first)
+    leaf = _leaf(lines, hinge, tip)
+    some = np.arange(len(tip)) if thorough else np.flatnonzero(leaf >= WORTH)
+    found = {name: np.zeros(len(tip)) for name in _DRAWN}
+    for name, values in _drawn(lines, tip[some], hinge[some], strike[some]).items():
+        found[name][some] = values
+    leaf_length, open_length = np.hypot(*(tip - hinge).T), np.hypot(*(strike - hinge).T)
+    equal = np.minimum(leaf_length, open_length) / np.maximum(np.maximum(leaf_length, open_length), 1e-9)
+    return Symbols(hinge=hinge, strike=strike, tip=tip, leaf=leaf, equal=equal, **found)
+
+
+def _leaf(lines: NDArray[np.bool_], hinge: NDArray, tip: NDArray) -> NDArray:
+    """(K,) share of ink along the leaf."""
+    return np.asarray(look_up(lines, points_between(hinge, tip)).mean(axis=1))
+
+
+def _likeness(lines: NDArray[np.bool_], tip: NDArray, hinge: NDArray, strike: NDArray) -> NDArray:
+    """(K,) how likely this end of the open side is the hinge: leaf, arc and equal lengths, each 0 to 1."""
+    leaf = _leaf(lines, hinge, tip)
+    leaf_length, open_length = np.hypot(*(tip - hinge).T), np.hypot(*(strike - hinge).T)
+    likely = leaf + np.minimum(leaf_length, open_length) / np.maximum(np.maximum(leaf_length, open_length), 1e-9)
+    some = np.flatnonzero(leaf >= WORTH)
+    likely[some] += look_up(lines, arc_points(hinge[some], tip[some], strike[some])).mean(axis=1)
+    return likely
+
+
+_DRAWN = ("arc", "chord", "open_ink", "crossed", "beyond")
+"""What is read of a symbol beside its leaf."""
+
+
+def _drawn(lines: NDArray[np.bool_], tip: NDArray, hinge: NDArray, strike: NDArray) -> dict[str, NDArray]:
+    """All measures of `_DRAWN`, by name."""
+    lanes = _open_lanes(lines, hinge, strike)
+    return {
+        "arc": look_up(lines, arc_points(hinge, tip, strike)).mean(axis=1),
+        "chord": look_up(lines, points_between(tip, strike)).mean(axis=1),
+        "open_ink": lanes.min(axis=0),
+        "crossed": lanes.max(axis=0),
+        "beyond": np.maximum(_goes_on(lines, arc_beyond, hinge, tip, strike), _goes_on(lines, leaf_beyond, hinge, tip, strike)),
     }
-    return Symbols(**picked)
-
-
-def meets_other_leaf(symbols: Symbols, least: float, pair_reach: float = 0.15) -> NDArray[np.bool_]:
-    """Where the strike stands at no wall but at the strike of a leaf that comes from the other side: a double door.
-
-    Parameters
-    ----------
-    symbols : candidates
-    least : share of wall ink that counts as a wall
-    pair_reach : two strikes are one within this share of the door's width
-    """
-    half = np.flatnonzero((symbols.hinge_support >= least) & (symbols.strike_support < least) & symbols.has_arc)
-    paired = np.zeros(len(symbols.leaf), dtype=bool)
-    if half.size:
-        strike, hinge, width = symbols.strike[half], symbols.hinge[half], symbols.width[half]
-        apart = np.abs(strike[:, None, :] - strike[None, :, :]).max(axis=2)
-        out = (hinge - strike) / np.maximum(width, 1e-9)[:, None]
-        opposite = out @ out.T < -0.9
-        meet = opposite & (apart <= pair_reach * np.minimum(width[:, None], width[None, :]))
-        paired[half] = meet.any(axis=1)
-    return paired
-
-
-def jamb_support(walls: NDArray[np.bool_], jamb: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(K,) share of wall ink in a short stretch beyond each jamb, away from the other; the best of five parallel lines."""
-    return np.asarray(_look_up(walls, jamb_points(jamb, other)).mean(axis=2).max(axis=1))
-
-
-def jamb_points(jamb: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(K, 5, 12, 2) points of five parallel lines that leave each jamb, away from the other."""
-    along = other - jamb
-    length = np.maximum(np.hypot(along[:, 0], along[:, 1]), 1e-9)[:, None]
-    out = -along / length
-    side = np.stack([-out[:, 1], out[:, 0]], axis=1)
-    reach = np.linspace(0.0, 1.0, 12)[None, :] * np.maximum(4.0, 0.10 * length) + 1.0
-    lines = [(jamb + shift * side)[:, None, :] + reach[..., None] * out[:, None, :] for shift in (-2, -1, 0, 1, 2)]
-    return np.stack(lines, axis=1)
 
 
 def is_box(lines: NDArray[np.bool_], symbols: Symbols, least: float = 0.8) -> NDArray[np.bool_]:
@@ -144,31 +149,13 @@ def is_box(lines: NDArray[np.bool_], symbols: Symbols, least: float = 0.8) -> ND
     for k in range(3):
         one, other = vertices[(k + 1) % 3], vertices[(k + 2) % 3]
         fourth = one + other - vertices[k]  # completes the parallelogram
-        sides = [_look_up(lines, points_between(end, fourth)).mean(axis=1) for end in (one, other)]
+        sides = [look_up(lines, points_between(end, fourth)).mean(axis=1) for end in (one, other)]
         boxed |= np.minimum(*sides) >= least
     beyond = symbols.tip + 0.3 * (symbols.tip - symbols.hinge)
     crossing = symbols.tip + 0.3 * (symbols.tip - symbols.strike)
     for end in (beyond, crossing):
-        boxed |= _look_up(lines, points_between(symbols.tip, end, 0.2)).mean(axis=1) >= least
+        boxed |= look_up(lines, points_between(symbols.tip, end, 0.2)).mean(axis=1) >= least
     return boxed
-
-
-def _measure(lines: NDArray[np.bool_], walls: NDArray[np.bool_], tip: NDArray, hinge: NDArray, strike: NDArray) -> Symbols:
-    """All measures for one choice of the hinge."""
-    leaf_length = np.hypot(*(tip - hinge).T)
-    open_length = np.hypot(*(strike - hinge).T)
-    return Symbols(
-        hinge=hinge,
-        strike=strike,
-        tip=tip,
-        leaf=_look_up(lines, points_between(hinge, tip)).mean(axis=1),
-        arc=_look_up(lines, arc_points(hinge, tip, strike)).mean(axis=1),
-        chord=_look_up(lines, points_between(tip, strike)).mean(axis=1),
-        equal=np.minimum(leaf_length, open_length) / np.maximum(np.maximum(leaf_length, open_length), 1e-9),
-        open_ink=_look_up(lines, points_between(hinge, strike, 0.12)).mean(axis=1),
-        hinge_support=jamb_support(walls, hinge, strike),
-        strike_support=jamb_support(walls, strike, hinge),
-    )
 
 
 def points_between(start: NDArray, end: NDArray, margin: float = 0.05) -> NDArray:
@@ -188,10 +175,59 @@ def arc_points(centre: NDArray, start: NDArray, end: NDArray) -> NDArray:
     return centre[:, None, :] + radius[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=2)
 
 
-def _look_up(mask: NDArray[np.bool_], points: NDArray) -> NDArray[np.bool_]:
+def arc_beyond(hinge: NDArray, tip: NDArray, strike: NDArray, aside: float = 0.0) -> NDArray:
+    """(K, N_SAMPLES, 2) points where the circle of an arc goes on before the tip; `aside` is a share of its radius outwards."""
+    first, last = tip - hinge, strike - hinge
+    begin = np.arctan2(first[:, 1], first[:, 0])
+    turn = (np.arctan2(last[:, 1], last[:, 0]) - begin + np.pi) % (2 * np.pi) - np.pi
+    angle = begin[:, None] - np.sign(turn)[:, None] * np.radians(np.linspace(*BEYOND_ARC, N_SAMPLES))[None, :]
+    radius = (1 + aside) * np.hypot(*first.T)[:, None]
+    return hinge[:, None, :] + radius[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=2)
+
+
+def leaf_beyond(hinge: NDArray, tip: NDArray, strike: NDArray, aside: float = 0.0) -> NDArray:
+    """(K, N_SAMPLES, 2) points where the line of a leaf goes on beyond its tip; `aside` is a share of its length to the left."""
+    share = np.linspace(*BEYOND_LEAF, N_SAMPLES)[None, :, None]
+    leaf = tip - hinge
+    left = np.stack([-leaf[:, 1], leaf[:, 0]], axis=1)
+    return (hinge + aside * left)[:, None, :] + share * leaf[:, None, :]
+
+
+def _open_lanes(lines: NDArray[np.bool_], hinge: NDArray, strike: NDArray) -> NDArray:
+    """(3, K) share of ink on the open side and on a line to either side of it."""
+    along = strike - hinge
+    across = OPEN_ASIDE * np.stack([-along[:, 1], along[:, 0]], axis=1)
+    lanes = [points_between(hinge + k * across, strike + k * across, 0.12) for k in (-1, 0, 1)]
+    return np.stack([look_up(lines, lane).mean(axis=1) for lane in lanes])
+
+
+OPEN_ASIDE = 0.08
+"""Distance between the lines along which an opening is looked through, as a share of its width."""
+
+
+def _goes_on(lines: NDArray[np.bool_], points: Callable[..., NDArray], hinge: NDArray, tip: NDArray, strike: NDArray) -> NDArray:
+    """(K,) share of ink on a line beyond the tip, less the ink beside it: in the middle of a wall no line goes on."""
+    on = look_up(lines, points(hinge, tip, strike)).mean(axis=1)
+    beside = [look_up(lines, points(hinge, tip, strike, aside)).mean(axis=1) for aside in (-ASIDE, ASIDE)]
+    return np.maximum(on - np.maximum(*beside), 0.0)
+
+
+ASIDE = 0.14
+"""A line that goes on has white beside it, so far off as a share of the leaf."""
+
+BEYOND_ARC = (10.0, 32.0)
+"""Where the circle is looked at beyond the tip, degrees."""
+
+BEYOND_LEAF = (1.12, 1.32)
+"""Where the line is looked at beyond the tip, lengths of the leaf."""
+
+
+def look_up(mask: NDArray[np.bool_], points: NDArray) -> NDArray[np.bool_]:
     """Values of a mask at (..., 2) points x, y; False outside."""
-    xy = np.rint(points).astype(np.int64)
     height, width = mask.shape
-    inside = (xy >= 0).all(axis=-1) & (xy < [width, height]).all(axis=-1)
-    clipped = np.clip(xy, 0, [width - 1, height - 1])
-    return inside & mask[clipped[..., 1], clipped[..., 0]]
+    x, y = (np.floor(points[..., k] + 0.5).astype(np.int32) for k in (0, 1))
+    inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+    if inside.all():
+        return np.asarray(mask.ravel()[y * np.int32(width) + x])
+    place = np.where(inside, y * np.int32(width) + x, 0)
+    return np.asarray(inside & mask.ravel()[place])
