@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Iterable
+from dataclasses import dataclass
+
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
+
+from priorlab.core.building import Truth
 
 
 def ranking_auc(confidence: ArrayLike, right: ArrayLike, weight: ArrayLike | None = None) -> float:
@@ -53,3 +59,66 @@ def ranking_auc(confidence: ArrayLike, right: ArrayLike, weight: ArrayLike | Non
         return float("nan")
     wrongs_below = np.cumsum(wrongs) - wrongs
     return float(np.sum(rights * (wrongs_below + wrongs / 2)) / pairs)
+
+
+@dataclass(frozen=True, eq=False)
+class Ranked:
+    """Detected pixels by their confidence; several drawings add up.
+
+    Parameters
+    ----------
+    confidence : (L,) levels
+    right, wrong : (L,) how many pixels of each level are true walls and are none
+    """
+
+    confidence: NDArray[np.float64]
+    right: NDArray[np.int64]
+    wrong: NDArray[np.int64]
+
+    @property
+    def auc(self) -> float:
+        """The chance that a right pixel has a higher confidence than a wrong one: large pieces count for much."""
+        count = self.right + self.wrong
+        return ranking_auc(self.confidence, self.right / np.maximum(count, 1), count)
+
+    def __add__(self, other: Ranked) -> Ranked:
+        return Ranked(
+            np.concatenate([self.confidence, other.confidence]),
+            np.concatenate([self.right, other.right]),
+            np.concatenate([self.wrong, other.wrong]),
+        )
+
+    def precision(self, low: float, high: float = np.inf) -> float:
+        """Share of right pixels among those with low <= confidence < high; nan of none."""
+        among = (self.confidence >= low) & (self.confidence < high)
+        right, wrong = int(self.right[among].sum()), int(self.wrong[among].sum())
+        return right / (right + wrong) if right + wrong else float("nan")
+
+
+def rank_pixels(confidence: ArrayLike, detected: ArrayLike, truth: Truth) -> Ranked:
+    """Count the detected pixels of a drawing by confidence, without don't-care.
+
+    Parameters
+    ----------
+    confidence : (height, width) from 0 to 1, of the piece of wall that a pixel belongs to
+    detected : (height, width) bool
+    """
+    confidence, detected = np.asarray(confidence, dtype=np.float64), np.asarray(detected, dtype=bool)
+    if not confidence.shape == detected.shape == truth.shape:
+        raise ValueError(
+            f"confidence and detected must have the truth's shape {truth.shape}, got {confidence.shape}, {detected.shape}"
+        )
+    counted = detected & ~truth.ignore
+    levels, which = np.unique(np.round(confidence[counted], 3), return_inverse=True)
+    right = np.bincount(which, truth.walls[counted], minlength=len(levels)).astype(np.int64)
+    return Ranked(levels, right, np.bincount(which, minlength=len(levels)) - right)
+
+
+def ranking_line(ranked: Iterable[Ranked | None], title: str) -> str:
+    """One line about a method's confidence over several drawings together; empty when it gives none."""
+    some = [one for one in ranked if one is not None]
+    if not some:
+        return ""
+    together = functools.reduce(Ranked.__add__, some)
+    low, high = (f"{100 * together.precision(*bounds):.1f}" for bounds in ((0, 0.5), (0.5, np.inf)))
+    return f"Confidence of {title}: AUC {together.auc:.2f}; of pixels below 0.5 {low} % are right, of the others {high} %"

@@ -34,6 +34,7 @@ from priorlab.drawing.extraction import Extraction, extract_walls
 from priorlab.drawing.method import Method
 from priorlab.interchange.images import read_drawing
 from priorlab.study.drawing_suite import METHODS, Found
+from priorlab.study.ranking import Ranked, rank_pixels, ranking_line
 
 Reader = Method | Callable[..., Found]
 """A method of chapter 3, or anything that makes walls, or a (height, width) mask of them, from a drawing."""
@@ -65,7 +66,7 @@ class PlanRow:
     near_precision, near_recall : the same, but a pixel is right when the other mask has wall within the plan's tolerance
     darkness : ink threshold that a simple filter did best with; None for a method that chooses by itself
     seconds : of one extraction
-    ranking : `ranking_auc` of the wall pieces' confidence; nan without one
+    ranked : detected pixels by confidence; None of a method that gives none
     """
 
     plan: str
@@ -75,7 +76,7 @@ class PlanRow:
     near_recall: float
     darkness: int | None
     seconds: float
-    ranking: float = float("nan")
+    ranked: Ranked | None = None
 
     @property
     def near_iou(self) -> float:
@@ -162,7 +163,7 @@ def score_plan(plan: MarkedPlan, title: str, reader: Reader) -> PlanRow:
 def plans_table(rows: Iterable[PlanRow], targets: Mapping[str, float] | None = None) -> str:
     """Rows as text, a block for each plan: precision, recall and IoU in percent, with the tolerance, and whether IoU reached its
     target."""
-    targets = targets or {}
+    targets, rows = targets or {}, list(rows)
     names = "".join(f"{name:>7}" for name in ("P", "R", "F2", "IoU", "P~", "R~", "IoU~"))
     lines = [f"{'% (~ within the tolerance)':<28}{names}{'ink':>6}{'s':>7}{'ranking':>9}"]
     last = None
@@ -172,7 +173,9 @@ def plans_table(rows: Iterable[PlanRow], targets: Mapping[str, float] | None = N
             lines.append(row.plan + ("" if aim is None else f" (IoU to reach {100 * aim:.0f})"))
             last = row.plan
         lines.append(_line(row, targets.get(row.plan)))
-    return "\n".join(lines)
+    for method in dict.fromkeys(row.method for row in rows):
+        lines.append(ranking_line((row.ranked for row in rows if row.method == method), method))
+    return "\n".join(line for line in lines if line)
 
 
 def _line(row: PlanRow, aim: float | None) -> str:
@@ -182,7 +185,7 @@ def _line(row: PlanRow, aim: float | None) -> str:
     strict = "".join(_percent(x) for x in (score.precision, score.recall, f_beta, score.iou))
     near = "".join(_percent(x) for x in (row.near_precision, row.near_recall, row.near_iou))
     ink = f"{'own' if own else row.darkness:>6}"
-    ranking = f"{row.ranking:>9.2f}" if np.isfinite(row.ranking) else f"{'-':>9}"
+    ranking = f"{'-':>9}" if row.ranked is None else f"{row.ranked.auc:>9.2f}"
     verdict = "" if aim is None or not own else "   reached" if score.iou >= aim else f"   misses {100 * (aim - score.iou):.1f}"
     return f"  {row.method:<26}{strict}{near}{ink}{row.seconds:>7.2f}{ranking}{verdict}"
 
@@ -199,7 +202,15 @@ def _row(plan: MarkedPlan, title: str, reader: Reader, darkness: int | None) -> 
     seconds = time.perf_counter() - start
     mask = mask_of(found)
     near_precision, near_recall = near_scores(mask, plan.truth, plan.tolerance)
-    return PlanRow(plan.drawing.name, title, score_mask(mask, plan.truth), near_precision, near_recall, darkness, seconds)
+    ranked = ranked_by(found, plan.truth)
+    score = score_mask(mask, plan.truth)
+    return PlanRow(plan.drawing.name, title, score, near_precision, near_recall, darkness, seconds, ranked)
+
+
+def ranked_by(found: Found, truth: Truth) -> Ranked | None:
+    """The detected pixels by confidence, if what was found has one."""
+    confidence = getattr(found, "confidence", None)
+    return None if confidence is None else rank_pixels(confidence, mask_of(found), truth)
 
 
 def near_scores(detected: NDArray[np.bool_], truth: Truth, tolerance: float) -> tuple[float, float]:

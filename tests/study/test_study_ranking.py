@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from priorlab.study.ranking import ranking_auc
+from priorlab.core.building import Truth
+from priorlab.study.ranking import rank_pixels, ranking_auc, ranking_line
 
 
 def test_ranking_auc_perfect_reversed_and_blind():
@@ -66,3 +67,50 @@ def test_ranking_auc_equals_the_double_loop(rows):
 def test_ranking_auc_says_what_is_wrong(arguments, sentence):
     with pytest.raises(ValueError, match=sentence):
         ranking_auc(*arguments)
+
+
+@pytest.fixture
+def ranked():
+    """Three pieces: 4 px at 0.9, one of them wrong; 2 px at 0.5, wrong; 3 px at 0.2, right, one of them not counted."""
+    detected = np.array([[1, 1, 1, 1, 0], [1, 1, 0, 0, 0], [1, 1, 1, 0, 0]], dtype=bool)
+    confidence = np.array([[0.9] * 5, [0.5] * 5, [0.2] * 5])
+    walls = np.array([[1, 1, 1, 0, 1], [0, 0, 0, 0, 1], [1, 1, 1, 0, 0]], dtype=bool)
+    ignore = np.zeros((3, 5), dtype=bool)
+    ignore[2, 0] = True
+    return rank_pixels(confidence, detected, Truth(walls, ignore))
+
+
+def test_rank_pixels_counts_levels(ranked):
+    assert ranked.confidence.tolist() == [0.2, 0.5, 0.9]
+    assert ranked.right.tolist() == [2, 0, 3]
+    assert ranked.wrong.tolist() == [0, 2, 1]
+
+
+def test_ranked_auc_counts_pairs_of_pixels(ranked):
+    # 5 right x 3 wrong: the three at .9 beat the two at .5 and tie with the one at .9; the two at .2 lose
+    assert ranked.auc == pytest.approx((3 * 2 + 3 * 0.5) / 15)
+
+
+def test_ranked_precision_between_levels(ranked):
+    assert ranked.precision(0.6) == 0.75
+    assert ranked.precision(0.4, 0.6) == 0.0
+    assert math.isnan(ranked.precision(0.95))
+
+
+def test_ranked_adds_up(ranked):
+    both = ranked + ranked
+    assert both.auc == pytest.approx(ranked.auc)
+    assert both.right.sum() == 10
+
+
+def test_rank_pixels_refuses_other_shapes():
+    empty = np.zeros((2, 3), dtype=bool)
+    with pytest.raises(ValueError, match="must have the truth's shape"):
+        rank_pixels(np.zeros((3, 2)), empty, Truth(empty, empty))
+
+
+def test_ranking_line_pools_and_is_empty_without_confidence(ranked):
+    assert ranking_line([None, ranked, ranked], "ours") == (
+        "Confidence of ours: AUC 0.50; of pixels below 0.5 100.0 % are right, of the others 50.0 %"
+    )
+    assert ranking_line([None], "ours") == ""

@@ -70,7 +70,7 @@ def test_score_real_plans_counts_by_hand(folder):
     (row,) = score_real_plans(folder, {"ink": ink}, names=["hut"])
     assert (row.score.tp, row.score.fp, row.score.fn) == (6 * 90, 2 * 90 + 2 * 90, 2 * 90)
     assert row.darkness is None
-    assert np.isnan(row.ranking)
+    assert row.ranked is None
 
 
 def test_score_real_plans_gives_filters_their_best_threshold(folder):

@@ -19,7 +19,8 @@ from priorlab.drawing.extraction import Extraction
 from priorlab.interchange.r2v import read_r2v
 from priorlab.study.drawing_suite import BAR, matched_doors
 from priorlab.study.flats.drawing import LOOKS, Look, draw_flat
-from priorlab.study.real_plans import Reader, found_by, mask_of
+from priorlab.study.ranking import Ranked, ranking_line
+from priorlab.study.real_plans import Reader, found_by, mask_of, ranked_by
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,7 @@ class FlatRow:
     score : counts of the walls
     doors_found, doors_true, doors_right : how many doors; none are found by a method that looks for none
     seconds : of one extraction
+    ranked : detected pixels by confidence; None of a method that gives none
     """
 
     flat: str
@@ -44,6 +46,7 @@ class FlatRow:
     doors_true: int
     doors_right: int
     seconds: float
+    ranked: Ranked | None = None
 
     @property
     def meets_bar(self) -> bool:
@@ -97,7 +100,9 @@ def score_flats(
                 doors = found.doors if isinstance(found, Extraction) else ()
                 right = len(matched_doors(doors, truth.doors))
                 score = score_mask(mask_of(found), truth)
-                rows.append(FlatRow(flat.name, number, look, title, score, len(doors), len(truth.doors), right, seconds))
+                doors_count = (len(doors), len(truth.doors), right)
+                ranked = ranked_by(found, truth)
+                rows.append(FlatRow(flat.name, number, look, title, score, *doors_count, seconds, ranked))
                 if progress:
                     progress(rows[-1])
     return rows
@@ -113,7 +118,8 @@ def flats_table(rows: Iterable[FlatRow]) -> str:
             some = [row for row in rows if row.method == method and look in (row.look, "all")]
             if some:
                 lines.append(_line(method, look, some))
-    return "\n".join(lines)
+        lines.append(ranking_line((row.ranked for row in rows if row.method == method), method))
+    return "\n".join(line for line in lines if line)
 
 
 def _line(method: str, look: str, rows: Sequence[FlatRow]) -> str:
