@@ -58,6 +58,8 @@ class DepthLab(Lab):
     def __init__(self, survey: DepthSurvey, pose: int = 2, cell_size: int = 2) -> None:
         camera, n_poses = survey.camera, len(survey.depths)
         self._survey = survey
+        self._taken: tuple | None = None  # settings of the images in hand
+        self._gathered: tuple | None = None  # readings and cell size of the evidence in hand
         self.pose = Slider("poses used", pose, 1, n_poses, 1, "the map holds poses 1 to here; the image is the last one")
         self.repeats = Slider("images a pose", 1, 1, survey.repeats, 1, "how many images of each pose the map holds")
         self.strip_row = Slider(
@@ -76,31 +78,39 @@ class DepthLab(Lab):
         )
 
     def refresh(self) -> None:
-        """The readings so far, their evidence, three maps, two pictures."""
-        survey, last = self._survey, int(self.pose.value) - 1
-        usual, times = DepthNoise(), self.noise.value
-        noise = DepthNoise(usual.deviation_at_1m * times, usual.common_at_1m * times, self.holes.value)
-        repeats, row, size = (int(slider.value) for slider in (self.repeats, self.strip_row, self.cell_size))
-        arena, camera = survey.arena, survey.camera
+        """The readings so far, their evidence, three maps, two pictures; what a slider does not touch is kept."""
+        self._take()
+        arena, size = self._survey.arena, int(self.cell_size.value)
         self.prior = Prior(self.p_wall.value, self.p_space.value)
-        self.readings = survey.readings(repeats, noise, row, poses=slice(0, last + 1))
-        prior_map = build_prior_map(arena.walls, self.prior, cell_size=size)
-        self.evidence = gather_evidence(self.readings, prior_map.grid)
+        prior_map, uninformed = (
+            build_prior_map(arena.walls, prior, cell_size=size) for prior in (self.prior, Prior.uninformed())
+        )
+        if (self.readings, size) != self._gathered:
+            self.evidence, self._gathered = gather_evidence(self.readings, prior_map.grid), (self.readings, size)
         self.map = _updated(prior_map, self.evidence)
-        without = _updated(build_prior_map(arena.walls, Prior.uninformed(), cell_size=size), self.evidence)
         self.score, self.prior_score, self.uninformed_score = (
-            score_map(one, arena.truth) for one in (self.map, prior_map, without)
+            score_map(one, arena.truth) for one in (self.map, prior_map, _updated(uninformed, self.evidence))
         )
         newest = self.readings[-1:]
+        lost = 100 * (1 - newest.valid.mean()) if newest.valid is not None else 0.0
+        self.pictures[1].show(_paint(self.map, newest), f"The map so far, white = empty, and the newest fan. {self.summary()}")
+        self.readout.value = table(self._rows(newest, lost), caption="detected as wall: P(empty) &le; 0.2")
+
+    def _take(self) -> None:
+        """Take the images again, when a slider of the camera or the robot has moved."""
+        survey, camera, last = self._survey, self._survey.camera, int(self.pose.value) - 1
+        usual, times = DepthNoise(), self.noise.value
+        noise = DepthNoise(usual.deviation_at_1m * times, usual.common_at_1m * times, self.holes.value)
+        repeats, row = int(self.repeats.value), int(self.strip_row.value)
+        if (last, repeats, row, noise) == self._taken:
+            return
+        self._taken = (last, repeats, row, noise)
+        self.readings = survey.readings(repeats, noise, row, poses=slice(0, last + 1))
         self.image = survey.image(last, repeats - 1, noise)
         picture = depth_picture(self.image[::HALF, ::HALF], camera)
         bottom = (row + camera.strip_rows) // HALF
         cv2.rectangle(picture, (0, row // HALF), (picture.shape[1] - 1, bottom), STRIP, 2)
-        lost = 100 * (1 - newest.valid.mean()) if newest.valid is not None else 0.0
-        alt = f"Depth image of pose {last + 1}; {DEPTH_LEGEND}. The frame is the strip, {lost:.0f} % of its columns lost."
-        self.pictures[0].show(picture, alt)
-        self.pictures[1].show(_paint(self.map, newest), f"The map so far, white = empty, and the newest fan. {self.summary()}")
-        self.readout.value = table(self._rows(newest, lost), caption="detected as wall: P(empty) &le; 0.2")
+        self.pictures[0].show(picture, f"Depth image of pose {last + 1}; {DEPTH_LEGEND}. The frame is the strip.")
 
     def _rows(self, newest: Readings, lost: float) -> list[tuple[str, str]]:
         """The numbers under the pictures."""

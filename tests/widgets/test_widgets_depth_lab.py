@@ -77,3 +77,14 @@ def test_depth_lab_says_when_the_edge_has_no_reading(lab):
 def test_depth_lab_bundle_has_text_and_a_still_picture(lab):
     bundle = lab._repr_mimebundle_()
     assert bundle["text/plain"] == repr(lab) and "image/png" in bundle
+
+
+def test_depth_lab_keeps_nothing_that_has_changed(lab, survey):
+    """One slider after the other ends where a new lab begins."""
+    steps = {"p_wall": 0.4, "cell_size": 3, "pose": 5, "repeats": 2, "holes": 0.3, "strip_row": 250, "noise": 4, "p_space": 0.7}
+    for name, value in steps.items():
+        lab.sliders[name].value = value
+        fresh = DepthLab(survey, pose=3)
+        fresh.set(**{done: slider.value for done, slider in lab.sliders.items()})
+        assert repr(lab) == repr(fresh) and np.array_equal(lab.map.log_odds, fresh.map.log_odds)
+        assert [p.image for p in lab.pictures] == [p.image for p in fresh.pictures]
