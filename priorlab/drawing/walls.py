@@ -32,6 +32,13 @@ SOLID_COVERS = 0.65
 """Solid walls are preferred when they make up so much of the best hypothesis."""
 
 
+OUTLINES = 0.02
+"""Components shorter than this share of M bound no inside of a wall."""
+
+NEARLY = 0.95
+"""Of hypotheses that are nearly as good as the best, the heaviest is taken: it holds the least furniture."""
+
+
 @dataclass(frozen=True, eq=False)
 class WallSearch:
     """Everything the search for walls saw; all masks in pixels of the drawing.
@@ -84,7 +91,8 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
     else:
         width = float(np.median([door.width for door in scaled])) if len(scaled) >= FEWEST_FOR_A_SCALE else None
         sizes = wall_sizes(sheet.long_side, width)
-        hypotheses = (judged("doors", guided, sizes), *weight_hypotheses(sheet, ink & ~symbols, sizes))
+        outlines = large_components(sheet.walls, OUTLINES * sheet.long_side)
+        hypotheses = (judged("doors", guided, sizes), *weight_hypotheses(sheet, ink & ~symbols, outlines, sizes))
         best = choose(hypotheses, scaled, symbols)
         if best.name != "doors":
             best = with_hatching(best, ink & ~symbols, sizes)
@@ -133,6 +141,7 @@ def choose(hypotheses: Sequence[Hypothesis], doors: Sequence[Door], symbols: NDA
         return trust * hypothesis.quality * door_agreement(hypothesis.walls, doors, symbols)
 
     best = max(hypotheses, key=worth)
+    best = max((h for h in hypotheses if worth(h) >= NEARLY * worth(best)), key=lambda h: h.weight) if best.weight else best
     solid = [h for h in hypotheses if h.solid and (h.walls & best.walls).sum() >= SOLID_COVERS * best.walls.sum()]
     return max(solid, key=worth) if solid else best
 

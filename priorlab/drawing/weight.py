@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.drawing.faces import hatch_bands, long_runs, thin_cells, walls_between
+from priorlab.drawing.faces import hatch_bands, long_runs, thin_cells, tidy, walls_between
+from priorlab.drawing.long_cells import long_cells
 from priorlab.drawing.preprocessing import NO_HUE, Sheet
 from priorlab.drawing.runs import run_lengths
 from priorlab.drawing.strokes import line_weights, stroke_widths
@@ -29,6 +30,9 @@ HATCH_SHARE = 0.15
 IN_COLOUR = 0.5
 """Trust in line weights where hues tell the parts of a drawing apart."""
 
+SLENDER = 6.0
+"""A wall is longer than so many of its thicknesses; furniture is not."""
+
 HUE_BINS = 12
 """Hues that are told apart, each 15 of OpenCV's 180 wide."""
 
@@ -43,39 +47,48 @@ class Hypothesis:
     walls : (height, width) bool
     quality : Q, larger is more wall-like
     solid : True when the walls are the strokes themselves, not what lies between them
+    weight : least weight of the lines taken, pixels; 0 where weight was not asked
     """
 
     name: str
     walls: NDArray[np.bool_]
     quality: float
     solid: bool = False
+    weight: float = 0.0
 
 
-def weight_hypotheses(sheet: Sheet, ink: NDArray[np.bool_], sizes: WallSizes) -> tuple[Hypothesis, ...]:
+def weight_hypotheses(
+    sheet: Sheet, ink: NDArray[np.bool_], outlines: NDArray[np.bool_], sizes: WallSizes
+) -> tuple[Hypothesis, ...]:
     """Walls under every assumption about weight and hue that the drawing offers.
 
     Parameters
     ----------
     sheet : the drawing made ready
-    ink : (height, width) bool, its ink without text
+    ink : (height, width) bool, its ink without text and doors
+    outlines : (height, width) bool, its ink with doors, which close the insides of walls at the jambs
     sizes : of walls on this sheet
     """
     if not ink.any():
         return ()
-    cells = thin_cells(ink, sizes)
+    cells = thin_cells(outlines, sizes)
     hues = _hues(sheet, ink)
     trust = IN_COLOUR if hues else 1.0
     found = []
     widths, weights = stroke_widths(ink, HEAVIEST), line_weights(sheet.darkness, ink)
     faces = {f"strokes of at least {q} px": widths >= q for q in range(2, HEAVIEST + 1)}
     faces |= {f"lines of at least {w} px": ink & (weights >= w) for w in SUBPIXEL_WEIGHTS}
-    for name, heavy in faces.items():
+    for (name, heavy), least in zip(faces.items(), (*range(2, HEAVIEST + 1), *SUBPIXEL_WEIGHTS), strict=True):
         if heavy.any():
             walls, solid = walls_between(heavy, ink, cells, sizes)
-            found.append(judged(name, walls, sizes, solid, trust))
+            found.append(judged(name, walls, sizes, solid, trust, least))
+    loose, *strict = long_cells(outlines, sizes)
+    narrow = {"long cells": loose.walls(), "long cells of straight lines": np.logical_or.reduce([c.walls() for c in strict])}
+    found += [judged(name, tidy(walls, sizes), sizes, False, trust) for name, walls in narrow.items()]
     for hue in hues:
         coloured = ink & _of_hue(sheet.hue, hue)
         walls, solid = walls_between(coloured, coloured, cells, sizes)
+        walls = walls if solid else walls | tidy(loose.walls(outlines & _of_hue(sheet.hue, hue)), sizes)
         found.append(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, sizes, solid))
     return tuple(found)
 
@@ -113,11 +126,24 @@ def purity(walls: NDArray[np.bool_], sizes: WallSizes) -> float:
     return float(pure[walls].mean())
 
 
-def judged(name: str, walls: NDArray[np.bool_], sizes: WallSizes, solid: bool = False, trust: float = 1.0) -> Hypothesis:
-    """A hypothesis with Q = sqrt(horizontal x vertical centre line) / M x purity^2."""
+def slenderness(walls: NDArray[np.bool_]) -> float:
+    """Share of the walls that lies in runs at least `SLENDER` times longer than they are thick there; 0 of nothing."""
+    if not walls.any():
+        return 0.0
+    across, down = run_lengths(walls, 1)[walls], run_lengths(walls, 0)[walls]
+    return float((np.maximum(across, down) >= SLENDER * np.minimum(across, down)).mean())
+
+
+def judged(
+    name: str, walls: NDArray[np.bool_], sizes: WallSizes, solid: bool = False, trust: float = 1.0, weight: float = 0.0
+) -> Hypothesis:
+    """A hypothesis with Q = sqrt(horizontal x vertical centre line) / M x purity^3 x slenderness^2.
+
+    The page has purity^2 and no slenderness: then furniture that stands along walls is taken for a second layer of them.
+    """
     across, down = centre_line(walls, sizes)
-    quality = trust * np.sqrt(across * down) / sizes.long_side * purity(walls, sizes) ** 2
-    return Hypothesis(name, walls, float(quality), solid)
+    quality = trust * np.sqrt(across * down) / sizes.long_side * purity(walls, sizes) ** 3 * slenderness(walls) ** 2
+    return Hypothesis(name, walls, float(quality), solid, weight)
 
 
 def _hues(sheet: Sheet, ink: NDArray[np.bool_]) -> list[int]:
