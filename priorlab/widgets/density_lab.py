@@ -66,7 +66,7 @@ class DensityLab(Lab):
             "textbook (lam = 0)": {"lam": 0},
             "walls called empty": {"p_wall": 1.0},
         }
-        self.survey = Slider("survey, 1 = quickest", 1, 1, len(evidence), 1, "how densely the building was surveyed")
+        self.survey = Slider("survey", 1, 1, len(evidence), 1, "how densely the building was surveyed: 1 is the quickest")
         self.p_wall = Slider("p_wall", 0.2, 0.05, 1.0, 0.01, "P(empty) where the plan shows a wall, before the factor 0.9")
         self.p_space = Slider("p_space", 0.9, 0.05, 1.0, 0.01, "P(empty) where the plan shows space, before the factor 0.9")
         self.lam = Slider("lam", 1, 0, 1, 0.05, "1: the thesis's update takes l0 off at every reading; 0: never")
