@@ -11,6 +11,7 @@ from priorlab.figures.case import cases
 from priorlab.figures.figure import Entry, Outcome, sheet, verdict_of
 from priorlab.optimize.experiment import Experiment
 from priorlab.optimize.interpolation import interpolate
+from priorlab.plot.comparison import SERIES
 from priorlab.study.discord import discord_of
 from priorlab.study.thesis_drawings import QUICK
 
@@ -34,8 +35,8 @@ def _rates(rng: np.random.Generator) -> Outcome:
         if found.worst is not None:
             at = list(found.worst)
             x, y = rate.ravel()[at], table.precision.ravel()[at]
-            ax.plot(x, y, "o", color=plot.SERIES[5][0], mfc="none", ms=9)
-            near.plot(x, y, "o--", color=plot.SERIES[5][0], mfc="none", ms=9, lw=1.2)
+            ax.plot(x, y, "o", color=SERIES[5][0], mfc="none", ms=9)
+            near.plot(x, y, "o--", color=SERIES[5][0], mfc="none", ms=9, lw=1.2)
             near.set(xlim=(min(x) - 2, max(x) + 2), ylim=(min(y) - 0.02, max(y) + 0.04))
             near.set_title("the upper is more precise\nAND has more false positives", fontsize=8)
         numbers[one.plan.name] = {"pairs": found.pairs, "discordant": found.discordant, "share": found.share}
@@ -102,7 +103,7 @@ def _threshold(rng: np.random.Generator) -> Outcome:
     numbers: dict[str, Any] = {}
     for i, one in enumerate(ours):
         rows = [_best_at(threshold, one.experiment) for threshold in THRESHOLDS]
-        colour, marker, _ = plot.SERIES[i]
+        colour, marker, _ = SERIES[i]
         at = np.array(THRESHOLDS) + 0.004 * (i - 2)  # side by side
         low, high = np.array([row["f2_best_p_wall"] for row in rows]).T
         axes[0].vlines(at, low, high, color=colour, lw=2.2, label=one.plan.name)

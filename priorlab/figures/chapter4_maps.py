@@ -1,4 +1,4 @@
-"""Figures 4.9, 4.10 and 4.11: the maps of priors from the thesis's three clusters."""
+"""Figures 4.6 and 4.9 to 4.11: maps of the extremes, of the proposed prior and of the thesis's three clusters."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from priorlab import plot
 from priorlab.core.grid_map import Prior
+from priorlab.core.measures import Measure
 from priorlab.figures.case import Case, case, cases
 from priorlab.figures.chapter4 import PROPOSED
 from priorlab.figures.figure import Entry, Outcome, verdict_of
@@ -18,6 +20,42 @@ LOW, HIGH = (0.2, 0.4), (0.75, 0.74)
 
 SHORTLIST = (*((0.2, space / 10) for space in range(6, 11)), (0.4, 0.7), (0.4, 0.8), (0.5, 0.7), (0.5, 0.8))
 """Eq. 4.28 with one decimal."""
+
+
+def _overview(rng: np.random.Generator) -> Outcome:
+    """Figure 4.6: one drawing, the maps of the highest precision and recall, the sweep with its front, the proposed map."""
+    one = case("office_section_c")
+    sweep, front = one.experiment.sweep(), one.experiment.sweep().front()
+    figure, axes = map_sheet(2, 4, one, 3.6)
+    show_survey(one, axes[0])
+    scores = {}
+    measures: tuple[Measure, Measure] = ("precision", "recall")
+    for ax, measure in zip(axes[1:3], measures, strict=True):
+        where = sweep.best(measure).plateaus[0]
+        prior = Prior(where.p_wall.middle, where.p_space.middle)
+        told = f"highest {measure}, ({prior.p_wall:.2f}, {prior.p_space:.2f})"
+        scores[f"highest_{measure}"] = show_map(posterior(one, prior), one, ax, told)
+    scores["proposed"] = show_map(posterior(one, Prior(*PROPOSED)), one, axes[3], "(0.2, 0.9), proposed")
+    for ax, measure in zip(axes[4:6], measures, strict=True):
+        plot.sweep(sweep, measure, ax, title=f"{measure}, and the front's priors")
+        ax.plot(front.p_wall, front.p_space, "o", color="black", mec="white", ms=4)
+    proposed = scores["proposed"]
+    plot.front({"exact front": front}, axes[6], (proposed.precision, proposed.recall), "front; cross: (0.2, 0.9)")
+    axes[6].set(xlim=(0.38, 1.02), ylim=(0.38, 1.02))
+    axes[7].remove()
+    f1 = {name: 2 * score.tp / (2 * score.tp + score.fp + score.fn) for name, score in scores.items()}
+    better = [f1["proposed"] > f1[f"highest_{measure}"] for measure in measures]
+    beats = [proposed.f_beta > scores[f"highest_{measure}"].f_beta for measure in measures]
+    return Outcome(
+        figure,
+        {name: numbers_of(score) | {"f1": f1[name]} for name, score in scores.items()} | {"priors_on_the_front": len(front)},
+        verdict_of([*better, *beats]),
+        f"{one.plan.name}: F2 {proposed.f_beta:.2f} with (0.2, 0.9) against {scores['highest_precision'].f_beta:.2f} at the "
+        f"highest precision and {scores['highest_recall'].f_beta:.2f} at the highest recall (F1 {f1['proposed']:.2f}, "
+        f"{f1['highest_precision']:.2f}, {f1['highest_recall']:.2f}), after a thorough survey",
+        "A drawing with its survey, the maps of the highest precision, the highest recall and the proposed prior, both colour "
+        "maps with the front's priors, and the front.",
+    )
 
 
 def _low(rng: np.random.Generator) -> Outcome:
@@ -106,6 +144,12 @@ def _high(rng: np.random.Generator) -> Outcome:
     )
 
 
+FIGURE_4_6 = Entry(
+    "fig-4-6",
+    "one drawing: both extremes, the sweep, the front, the proposed prior",
+    "Neither the map of the highest precision nor that of the highest recall is good; the one from (0.2, 0.9) is.",
+    _overview,
+)
 FIGURE_4_9 = Entry(
     "fig-4-9",
     "maps of cluster 1: both numbers low",

@@ -44,13 +44,13 @@ def _density(rng: np.random.Generator) -> Outcome:
     figure, axes = sheet(1, 3, 5.4, 4.6)
     for ax, spacing, name in zip(axes, (QUICK, THOROUGH), ("quick", "thorough"), strict=False):
         own = [row for row in rows if row.condition.spacing == spacing]
-        plot.interval_bars(THESIS_DRAWINGS, _three_bars(own), ax, f"{name} survey, {_looks(own):.1f} looks at a seen cell")
+        plot.interval_bars(THESIS_DRAWINGS, _three_bars(own), ax, _survey(name, own))
     looks, gains = {}, {}
     for name in THESIS_DRAWINGS:
         groups = [[row for row in rows if row.condition == Condition(name, spacing)] for spacing in SPACINGS]
         looks[name] = [_looks(group) for group in groups]
         gains[name] = [_interval([row.worth.gain_percent for row in group]) for group in groups]
-    plot.looks_axis(plot.gains(looks, gains, axes[2], "five seeds each"), 1.0, 14.0)
+    plot.looks_axis(plot.gains(looks, gains, axes[2], "quick to dense, 5 seeds each"), 1.0, 14.0)
     told = [row.as_numbers() for row in rows]
     by_looks = np.array([(row["mean_looks"], row["gain_percent"]) for row in told])
     quick, slow = (by_looks[where, 1] for where in (by_looks[:, 0] < SLOW, by_looks[:, 0] >= SLOW))
@@ -178,6 +178,12 @@ def _interval(values: list[float]) -> list[float]:
     """Mean, lowest, highest."""
     of = Interval.of(values)
     return [of.mean, of.low, of.high]
+
+
+def _survey(name: str, rows: list[Row]) -> str:
+    """What a survey saw, as a title."""
+    coverage = np.mean([row.worth.coverage for row in rows])
+    return f"{name} survey: {_looks(rows):.1f} looks at a seen cell,\n{100 * coverage:.0f} % of the walls seen; 5 seeds"
 
 
 def _looks(rows: list[Row]) -> float:

@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab import plot
 from priorlab.core.grid_map import Prior
 from priorlab.core.measures import Measure
 from priorlab.figures.case import case, case_of_survey
 from priorlab.figures.figure import Entry, Outcome, verdict_of
-from priorlab.figures.map_sheet import NO_PLAN, bare, map_sheet, numbers_of, posterior, prior_map_of, show_map, show_survey
+from priorlab.figures.map_sheet import NO_PLAN, map_sheet, numbers_of, posterior, prior_map_of, show_map, show_survey
 from priorlab.study.surveys import part_of, thinned
 from priorlab.study.thesis_drawings import QUICK, THOROUGH, thesis_plan
 from priorlab.study.worth import worth_of
@@ -64,9 +63,7 @@ def _resolutions(name: str, sizes: tuple[float, ...], rng: np.random.Generator) 
         if len(sizes) > 2 and row < 2:
             show_survey(ones["quick" if row == 0 else "thorough"], here[0], f"{name}, {'quick' if row == 0 else 'thorough'}")
         else:
-            plot.map(prior_map_of(case(name, size), Prior()), here[0], title=f"the plan as prior, {size:g} px")
-            here[0].title.set_fontsize(8)
-            bare(here[0])
+            show_map(prior_map_of(case(name, size), Prior()), case(name, size), here[0], f"the plan alone, {size:g} px")
         for i, (how, one) in enumerate(ones.items()):
             without = show_map(posterior(one, NO_PLAN), one, here[1 + 2 * i], f"without, {how}, {size:g} px")
             informed = show_map(posterior(one, Prior()), one, here[2 + 2 * i], f"with the plan, {how}, {size:g} px")

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from numpy.typing import ArrayLike
 
 from priorlab.core.score import Score
-from priorlab.plot.style import ALONE, BLACK, BLUE, NO_PLAN, PLAN, RED, finish, given_or_new
+from priorlab.plot.style import ALONE, BLUE, NO_PLAN, PLAN, RED, finish, given_or_new
 
 
 def f_over_time(
@@ -32,30 +32,6 @@ def f_over_time(
     ax.set(ylim=(0, 1.02), xlim=(float(steps[0]), float(steps[-1])))
     ax.legend(fontsize=8)
     return finish(ax, title, "readings taken", f"F2 at P(empty) <= {threshold:g}")
-
-
-def gain_by_looks(
-    looks: ArrayLike, gain_percent: ArrayLike, building: ArrayLike, ax: Axes | None = None, title: str | None = None
-) -> Axes:
-    """Gain in F2 of a prior over none against the mean number of looks at a seen cell; one line a building."""
-    ax = given_or_new(ax, 6.0, 3.8)
-    looks, gain, building = np.asarray(looks), np.asarray(gain_percent), np.asarray(building)
-    for i, name in enumerate(dict.fromkeys(building.tolist())):
-        own = np.flatnonzero(building == name)
-        own = own[np.argsort(looks[own])]
-        ax.plot(looks[own], gain[own], marker="os^Dv P"[i % 6], ls=("-", "--", "-.", ":")[i % 4], ms=5, label=str(name))
-    ax.axhline(0, color=BLACK, lw=1)
-    ax.axhline(20, color=BLACK, lw=1, ls=":")
-    ax.text(1.0, 20, "the thesis's +20 %", ha="right", va="bottom", fontsize=8, transform=ax.get_yaxis_transform())
-    ax.set_xscale("log")
-    ticks = [tick for tick in (1, 1.5, 2, 3, 5, 8, 12, 20, 40) if looks.min() * 0.9 <= tick <= looks.max() * 1.1]
-    ax.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
-    ax.minorticks_off()
-    ax.set_yscale("symlog", linthresh=50)
-    ax.set_yticks([-50, -20, 0, 20, 50, 100, 200, 500, 1000], ["-50", "-20", "0", "20", "50", "100", "200", "500", "1000"])
-    ax.set_ylim(min(-30.0, float(gain.min()) * 1.3), max(60.0, float(gain.max()) * 1.4))
-    ax.legend(fontsize=8)
-    return finish(ax, title, "mean looks at a seen cell", "gain in F2 over no prior, %")
 
 
 def score_bars(scores: Mapping[str, Score], ax: Axes | None = None, title: str | None = None) -> Axes:

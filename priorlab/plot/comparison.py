@@ -76,8 +76,8 @@ def interval_bars(
     ax.set_yticks(rows, groups)
     ax.invert_yaxis()
     ax.set_xlim(0, 1.15 * widest)
-    ax.legend(fontsize=8, ncols=len(bars), loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False)
-    ax.set_title(title or "", pad=24)
+    ax.legend(fontsize=8, ncols=len(bars) if len(bars) < 4 else 2, loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False)
+    ax.set_title(title or "", pad=24 if len(bars) < 4 else 38)
     return finish(ax, None, x_label, "")
 
 

@@ -69,6 +69,9 @@ class Row:
         told, worth = self.condition, self.worth
         return {
             **{key: value for key, value in asdict(told).items() if key not in ("prior", "noise")},
+            "p_wall": told.prior.p_wall,
+            "p_space": told.prior.p_space,
+            "range_deviation": told.noise.deviation,
             "seed": self.seed,
             "poses": self.poses,
             "coverage": worth.coverage,

@@ -15,7 +15,7 @@ from priorlab.study.conditions import Condition, Row, run
 from priorlab.study.worth import Worth
 
 KEPT = Path(__file__).resolve().parents[2] / "figures"
-PROMISED = [f"fig-4-{n}" for n in (5, 7, 8, 9, 10, 11)] + [f"fig-5-{n}" for n in range(1, 11)] + ["table-4-1", "table-4-2"]
+PROMISED = [f"fig-4-{n}" for n in (5, 6, 7, 8, 9, 10, 11)] + [f"fig-5-{n}" for n in range(1, 11)] + ["table-4-1", "table-4-2"]
 
 
 def score(f2):

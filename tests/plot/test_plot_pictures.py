@@ -170,12 +170,6 @@ def test_f_over_time_has_three_lines_that_differ_in_more_than_colour(ax):
     assert len({line.get_linestyle() for line in ax.lines}) == 3
 
 
-def test_gain_by_looks_sorts_each_building(ax):
-    plot.gain_by_looks([4.0, 1.5, 2.0], [10, 200, 50], ["a", "a", "b"], ax)
-    assert xy_of(ax.lines[0]).tolist() == [[1.5, 200], [4, 10]]
-    assert [line.get_label() for line in ax.lines[:2]] == ["a", "b"]
-
-
 def test_score_bars_say_when_nothing_was_detected(ax):
     plot.score_bars({"none": pl.Score(0, 0, 5, 5), "half": pl.Score(5, 5, 5, 5)}, ax)
     said = [text.get_text() for text in ax.texts]
