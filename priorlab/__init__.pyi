@@ -30,6 +30,7 @@ from .drawing.method import ROBUST as ROBUST
 from .drawing.method import THESIS as THESIS
 from .drawing.method import Method as Method
 from .drawing.walls import detect_walls as detect_walls
+from .interchange.depth_images import read_depth_image as read_depth_image
 from .interchange.images import read_drawing as read_drawing
 from .interchange.pose_files import read_poses as read_poses
 from .mapping.evidence import gather_evidence as gather_evidence
@@ -48,9 +49,12 @@ from .optimize.experiment import Experiment as Experiment
 from .optimize.front import Front as Front
 from .optimize.pareto import pareto_front as pareto_front
 from .optimize.sweep import Sweep as Sweep
+from .robot.depth_camera import DepthCamera as DepthCamera
+from .robot.depth_image import depth_image as depth_image
 from .robot.drive import drive as drive
 from .robot.explore import explore as explore
 from .robot.range_noise import RangeNoise as RangeNoise
+from .robot.strip import strip_ranges as strip_ranges
 from .slam.fastslam import FastSLAM as FastSLAM
 from .slam.parameters import TABLE_6_1 as TABLE_6_1
 from .slam.parameters import TUNED as TUNED

@@ -237,12 +237,14 @@ def summary(result: PipelineResult) -> list[tuple[str, str]]:
 
 def _figures(arguments: argparse.Namespace) -> int:
     """Figures of the thesis."""
-    from priorlab.figures.registry import FIGURES, figure_named
+    from priorlab.figures.registry import FIGURES, NOT_COMPUTABLE, figure_named
     from priorlab.figures.writing import write_figures
 
     if arguments.list or not arguments.name:
         for name, entry in FIGURES.items():
             print(f"{name:<16}{entry.title}")
+        for name, shows in NOT_COMPUTABLE.items():
+            print(f"{name:<16}cannot be computed: {shows}")
         return GOOD
     chosen = list(FIGURES.values()) if arguments.name == "all" else [figure_named(arguments.name)]
     for line in write_figures(chosen, arguments.out, arguments.seed, arguments.force):

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from priorlab.cli import main
 from priorlab.drawing.strokes import opened
 from priorlab.figures.figure import Entry, Outcome, verdict_of
-from priorlab.figures.registry import FIGURES, figure_named
+from priorlab.figures.registry import FIGURES, NOT_COMPUTABLE, figure_named
 from priorlab.figures.writing import write_figures
 
 
@@ -53,7 +53,7 @@ def test_figure_2_9_measures_the_curve():
 
 def test_cli_figures_lists_and_makes(tmp_path, capsys):
     assert main(["figures", "--list"]) == 0
-    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == list(FIGURES)
+    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == [*FIGURES, *NOT_COMPUTABLE]
     assert main(["figures", "fig-2-9", "--out", str(tmp_path / "made")]) == 0
     assert capsys.readouterr().out.startswith("fig-2-9: agrees: ")
     assert sorted(path.name for path in (tmp_path / "made").iterdir()) == ["fig-2-9.json", "fig-2-9.png"]
