@@ -33,7 +33,7 @@ STRAIGHT_SHARE = 0.2
 
 @dataclass(frozen=True, eq=False)
 class Turn:
-    """A rotation of the image about its middle, onto a sheet large enough for all of it.
+    """A rotation of the image about its middle, onto a sheet large enough for all of it, or for the part that was cut out.
 
     Parameters
     ----------
@@ -89,6 +89,17 @@ def turn_by(degrees: float, shape: tuple[int, int]) -> Turn:
     middle, to_middle = np.array([width - 1, height - 1]) / 2, np.array([to_width - 1, to_height - 1]) / 2
     matrix = np.column_stack([turn, to_middle - turn @ middle])
     return Turn(float(degrees), shape, (to_height, to_width), matrix)
+
+
+def then_cut(turn: Turn, left: int, top: int, width: int, height: int) -> Turn:
+    """A turn, and of what it gives only a rectangle, pixels.
+
+    >>> then_cut(turn_by(0, (100, 200)), 50, 20, 60, 40).points([(50, 20)]).tolist()
+    [[0.0, 0.0]]
+    """
+    matrix = turn.matrix.copy()
+    matrix[:, 2] -= (left, top)
+    return Turn(turn.degrees, turn.from_shape, (height, width), matrix)
 
 
 def find_skew(grey: NDArray[np.uint8]) -> float:

@@ -10,8 +10,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.drawing.geometry import angles_deg, nearest_to_equal, side_lengths
-from priorlab.drawing.jamb_walls import Jambs, meets_other_leaf, read_jambs
+from priorlab.drawing.geometry import angles_deg, nearest_to_equal, side_lengths, tilts
+from priorlab.drawing.jamb_walls import Jambs, in_line_with_walls, meets_other_leaf, read_jambs
 from priorlab.drawing.method import Method
 from priorlab.drawing.outer_walls import extreme_corners
 from priorlab.drawing.overlap import dark_share, overlap_with_kept
@@ -158,10 +158,14 @@ def geometry(some: Shortlist) -> tuple[Measure, ...]:
 
 
 def orientation(some: Shortlist) -> tuple[Measure, ...]:
-    """The open side lies along an axis (eq. 3.15)."""
-    across = np.abs(some.triangles[:, 1] - some.triangles[:, 2])
-    tilt = np.degrees(np.arctan2(across.min(axis=1), across.max(axis=1)))
-    return (Measure("tilt of the open side, degrees", tilt, None, some.scene.method.max_tilt),)
+    """The open side lies along an axis (eq. 3.15), or, in a wing at an angle, along the walls at its own jambs."""
+    tilt = tilts(some.triangles[:, 1], some.triangles[:, 2])
+    name = "tilt of the open side, degrees"
+    if some.scene.method.wings:
+        askew = np.flatnonzero(tilt > some.scene.method.max_tilt)
+        tilt[askew[in_line_with_walls(some.scene.sheet.walls, some.triangles[askew, 1], some.triangles[askew, 2])]] = 0.0
+        name = "tilt of the open side against the axes, or its walls, degrees"
+    return (Measure(name, tilt, None, some.scene.method.max_tilt),)
 
 
 def symbol(some: Shortlist) -> tuple[Measure, ...]:

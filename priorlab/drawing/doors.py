@@ -14,6 +14,7 @@ from priorlab.core.drawing import Door, Drawing
 from priorlab.drawing.candidates import DOOR, TESTS, DoorSearch, asked_tests, wedges
 from priorlab.drawing.connectivity import connect
 from priorlab.drawing.door_tests import ASK, Scene, Shortlist, passed
+from priorlab.drawing.geometry import tilts
 from priorlab.drawing.jambs import with_measured_jambs
 from priorlab.drawing.leaves import leaf_candidates, straight_pairs
 from priorlab.drawing.method import ROBUST, Method
@@ -90,5 +91,6 @@ def _as_doors(some: Shortlist, sheet: Sheet, method: Method) -> tuple[Door, ...]
     for k in range(len(kinds)):
         hinge, strike, tip = ((float(p[k, 0]), float(p[k, 1])) for p in (symbols.hinge, symbols.strike, symbols.tip))
         door = Door(hinge, strike, tip, kind=str(kinds[k]), quality=round(float(quality[k]), 4))
-        found.append(with_measured_jambs(door, sheet.walls) if method.measure_jambs else door)
+        level = tilts(symbols.hinge[k], symbols.strike[k]) <= method.max_tilt  # rows and columns measure no wing at an angle
+        found.append(with_measured_jambs(door, sheet.walls) if method.measure_jambs and level else door)
     return sheet.doors_to_input(found)

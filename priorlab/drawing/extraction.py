@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,9 @@ from priorlab.drawing.corners import corners_of
 from priorlab.drawing.door_ink import scaled_doors
 from priorlab.drawing.doors import search_doors
 from priorlab.drawing.method import ROBUST, Method
-from priorlab.drawing.preprocessing import Sheet, prepare
+from priorlab.drawing.photograph import is_photograph
+from priorlab.drawing.preprocessing import LEAST_CONTRAST, prepare
+from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.walls import WallSearch, as_walls, search_walls
 from priorlab.drawing.weight import Hypothesis
 
@@ -104,6 +106,9 @@ def extract_walls(drawing: Drawing, method: Method = ROBUST, progress: Callable[
     say = progress or (lambda step, done: None)
     say("ink", 0.0)
     sheet = prepare(drawing, method)
+    unfit = why_unfit(drawing)
+    if unfit:
+        sheet = without_ink(sheet)
     say("corners", 0.05)
     corners = corners_of(sheet, method.n_corners, method)
     say("doors", 0.1)
@@ -120,8 +125,38 @@ def extract_walls(drawing: Drawing, method: Method = ROBUST, progress: Callable[
         door_search=door_search,
         wall_search=wall_search,
         lost_at=lost_at,
-        notes=_notes(drawing, sheet, door_search, wall_search, lost_at, method),
+        notes=(unfit,) if unfit else _notes(drawing, sheet, door_search, wall_search, lost_at, method),
     )
+
+
+def why_unfit(drawing: Drawing) -> str:
+    """The sentence that says why an image is no drawing to be read; empty for one that may be.
+
+    >>> why_unfit(Drawing(np.arange(20, dtype=np.uint8).reshape(4, 5), name="stamp"))
+    'stamp is 5 x 4 pixels: too small to show a wall and a door.'
+    """
+    height, width = drawing.shape
+    grey = drawing.grey
+    if np.ptp(grey) < LEAST_CONTRAST and (drawing.colour is None or np.ptp(drawing.colour, axis=(0, 1)).max() < LEAST_CONTRAST):
+        return f"{drawing.name} shows no ink: it has one colour all over."
+    if min(height, width) < SMALLEST_SIDE:
+        return f"{drawing.name} is {width} x {height} pixels: too small to show a wall and a door."
+    if is_photograph(grey):
+        return (
+            f"{drawing.name} looks like a photograph: its tones change from place to place, and no ink stands out from a paper. "
+            "Scan the drawing, or photograph it flat and evenly lit."
+        )
+    return ""
+
+
+def without_ink(sheet: Sheet) -> Sheet:
+    """A sheet of which nothing is taken for ink."""
+    nothing = np.zeros_like(sheet.lines)
+    return replace(sheet, darkness=np.zeros_like(sheet.darkness), lines=nothing, walls=nothing)
+
+
+SMALLEST_SIDE = 24
+"""An image with a shorter side shows no building, pixels."""
 
 
 def _lost_at(sheet: Sheet, search: DoorSearch, method: Method) -> str:
@@ -143,10 +178,10 @@ def _notes(
     name = drawing.name
     notes = []
     if lost_at == "ink":
-        return (f"{name} shows no ink: it has one colour all over.",)
+        return (f"{name} shows no ink: nothing stands out from its paper.",)
     if sheet.inverted:
         notes.append(f"{name} is drawn light on dark paper; the light lines were read as ink.")
-    if sheet.turn is not None:
+    if sheet.turn is not None and sheet.turn.degrees:
         notes.append(f"{name} lies askew by {-sheet.turn.degrees:.1f} degrees: it was turned straight to be read.")
     if sheet.scale > 1:
         notes.append(f"{name} is small ({max(drawing.shape)} px): it was worked on at {sheet.scale} times its size.")
@@ -154,6 +189,8 @@ def _notes(
         left = doors.funnel
         last = next((test for test in left if left[test] == 0), "corners")
         notes.append(f"No door was found: of {len(doors.corners)} corners and {left['wedges']} candidates none passed '{last}'.")
+        if max(drawing.shape) < method.upscale_below:
+            notes.append(f"Doors of {name} may be too small to be told: scan it so that a door is 35 pixels wide or more.")
     if lost_at is not None:
         seeds = "no door to grow walls from" if method.sources == "doors" else "no piece of ink looks like a wall"
         notes.append(f"No wall was found, lost at '{lost_at}': {seeds}.")

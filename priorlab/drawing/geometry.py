@@ -83,3 +83,13 @@ def passes_geometry(triangles: ArrayLike, method: Method = ROBUST) -> NDArray[np
     shaped = (largest >= method.min_largest_angle - 1e-9) & (largest <= method.max_largest_angle)
     shaped &= (angles.min(axis=-1) >= method.min_angle) & (sides.min(axis=-1) > 0)
     return np.asarray(shaped & equal_sides(sides, method.isosceles_ratio, method.rounding))
+
+
+def tilts(starts: ArrayLike, ends: ArrayLike) -> NDArray[np.float64]:
+    """Angles between the lines from starts to ends and the nearer axis, degrees.
+
+    >>> tilts([[0, 0], [0, 0]], [[10, 0], [10, 10]]).round(1).tolist()
+    [0.0, 45.0]
+    """
+    across = np.abs(np.asarray(ends, dtype=np.float64) - np.asarray(starts, dtype=np.float64))
+    return np.asarray(np.degrees(np.arctan2(across.min(axis=-1), across.max(axis=-1))))

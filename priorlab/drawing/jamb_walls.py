@@ -19,8 +19,11 @@ PROFILE_REACH = 0.4
 LEVEL = 3
 """The corners at the two jambs may lie so many pixels apart across the wall."""
 
+WALL_REACH = 0.4
+"""So far beyond its jambs a wall at an angle goes on, as a share of the opening: it tells the opening's direction."""
+
 PAIR_REACH = 0.15
-"""The strikes of a double door are one within this share of its narrower leaf."""
+"""The strikes of a double door are one within this share of its wider leaf."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +103,7 @@ def meets_other_leaf(symbols: Symbols, jambs: Jambs, least: float) -> NDArray[np
         apart = np.abs(strike[:, None, :] - strike[None, :, :]).max(axis=2)
         out = (hinge - strike) / np.maximum(width, 1e-9)[:, None]
         opposite = out @ out.T < -0.9
-        meet = opposite & (apart <= PAIR_REACH * np.minimum(width[:, None], width[None, :]))
+        meet = opposite & (apart <= PAIR_REACH * np.maximum(width[:, None], width[None, :]))
         paired[hung] = meet.any(axis=1)
     return paired
 
@@ -110,10 +113,31 @@ def jamb_support(walls: NDArray[np.bool_], jamb: NDArray[np.float64], other: NDA
     return np.asarray(look_up(walls, jamb_points(jamb, other)).mean(axis=2).max(axis=1))
 
 
-def jamb_points(jamb: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(K, 5, 12, 2) points of five parallel lines that leave each jamb, away from the other."""
+def in_line_with_walls(
+    walls: NDArray[np.bool_], one: NDArray[np.float64], other: NDArray[np.float64], least: float = 0.9
+) -> NDArray[np.bool_]:
+    """(K,) where walls leave both ends of an opening in its own direction, for a good part of its width.
+
+    Parameters
+    ----------
+    walls : (height, width) bool, ink that may be wall
+    one, other : (K, 2) ends of openings
+    least : share of ink on the best of five parallel lines that counts as a wall
+    """
+    found = np.ones(len(one), dtype=bool)
+    for jamb, far in ((one, other), (other, one)):
+        some = np.flatnonzero(found)
+        lanes = jamb_points(jamb[some], far[some], WALL_REACH)
+        ends = np.asarray(look_up(walls, lanes[:, :, 1::5]).all(axis=2)).any(axis=1)  # most fail at once
+        found[some[~ends]] = False
+        found[some[ends]] = look_up(walls, lanes[ends]).mean(axis=2).max(axis=1) >= least
+    return found
+
+
+def jamb_points(jamb: NDArray[np.float64], other: NDArray[np.float64], far: float = 0.10) -> NDArray[np.float64]:
+    """(K, 5, 12, 2) points of five parallel lines that leave each jamb, away from the other, for a share of the opening."""
     out, side, length = _directions(jamb, other)
-    reach = np.linspace(0.0, 1.0, 12)[None, :] * np.maximum(4.0, 0.10 * length) + 1.0
+    reach = np.linspace(0.0, 1.0, 12)[None, :] * np.maximum(4.0, far * length) + 1.0
     unit = np.maximum(1.0, BESIDE * length)
     lines = [(jamb + shift * unit * side)[:, None, :] + reach[..., None] * out[:, None, :] for shift in (-2, -1, 0, 1, 2)]
     return np.stack(lines, axis=1)

@@ -20,7 +20,7 @@ class Method:
     component_share : corners and line weights only on ink components longer than this share of M; 0 takes all ink
     line_darkness : distance from the paper above which a pixel is ink of a line (0-255)
     wall_darkness : the same for walls; None takes Otsu's threshold
-    deskew : a sheet laid askew is turned straight first
+    deskew : a sheet laid askew is turned straight first, and wide margins are cut off
     upscale_below : drawings with a shorter long side are doubled first; 0 never
     min_side, max_side_share : shortest side of a door in pixels, longest as a share of the root of the sheet's area
     thin_share : ink thicker than this share of M is no leaf and no arc, and walks do not cross it; 0 lets them
@@ -30,6 +30,7 @@ class Method:
     min_largest_angle, max_largest_angle : bounds of the largest angle, degrees (3.3.1)
     min_angle : smallest angle allowed, degrees; 0 lets needles pass, as the text does
     max_tilt : the open side lies within so many degrees of an axis (eq. 3.15); 45 allows all
+    wings : an open side in line with the walls at both its jambs may lie at any angle
     min_leaf, min_arc, min_support : shares of ink along the leaf, along its arc (or chord), and beyond each jamb; 0 asks for none
     max_chord : share of ink allowed along the straight line below an arc; 1 asks for nothing
     max_beyond : share of ink allowed where leaf or arc would go on beyond the tip; 1 asks for nothing
@@ -69,6 +70,7 @@ class Method:
     max_largest_angle: float = 100.0
     min_angle: float = 0.0
     max_tilt: float = 45.0
+    wings: bool = False
     min_leaf: float = 0.0
     min_arc: float = 0.0
     min_support: float = 0.0
@@ -118,9 +120,10 @@ ROBUST = Method(
     max_largest_angle=105.0,
     min_angle=25.0,
     max_tilt=12.0,
+    wings=True,
     min_leaf=0.8,
     min_arc=0.85,
-    min_support=0.5,
+    min_support=0.75,
     max_chord=0.35,
     max_beyond=0.6,
     lone_leaves=True,

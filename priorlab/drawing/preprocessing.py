@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.drawing import Drawing
-from priorlab.drawing.deskew import find_skew, turn_by
+from priorlab.drawing.deskew import Turn, find_skew, then_cut, turn_by
 from priorlab.drawing.method import Method
 from priorlab.drawing.sheet import Sheet
 
@@ -29,11 +29,11 @@ def prepare(drawing: Drawing, method: Method) -> Sheet:
 
     The paper is the median colour, so a white-on-black drawing needs no other treatment than a black-on-white one. Where dark
     surroundings outweigh light rooms, as in maps, the lightest grey is the paper.
-    A sheet that was laid askew is turned straight first (`Method.deskew`), a small one is doubled (`Method.upscale_below`).
+    A sheet that was laid askew is turned straight first and loses wide margins (`Method.deskew`); a small one is doubled
+    (`Method.upscale_below`).
     """
     image = drawing.grey if drawing.colour is None else drawing.colour
-    degrees = -find_skew(drawing.grey) if method.deskew else 0.0
-    turn = turn_by(degrees, drawing.shape) if degrees else None
+    turn = straightened(drawing.grey) if method.deskew else None
     if turn is not None:
         image = turn.image(image)
     inverted = is_light_on_dark(drawing.grey)
@@ -61,6 +61,41 @@ def prepare(drawing: Drawing, method: Method) -> Sheet:
         input_shape=drawing.shape,
         turn=turn,
     )
+
+
+def straightened(grey: NDArray[np.uint8]) -> Turn | None:
+    """How to turn a sheet straight and cut wide margins off; None when it lies straight and has none."""
+    degrees = -find_skew(grey)
+    turn = turn_by(degrees, grey.shape)
+    box = _drawn_box(turn.image(grey) if degrees else grey)
+    if box is None:
+        return turn if degrees else None
+    return then_cut(turn, *box)
+
+
+def _drawn_box(grey: NDArray[np.uint8]) -> tuple[int, int, int, int] | None:
+    """Left, top, width and height of what is drawn and a margin round it; None when the margins are not wide."""
+    drawn = cv2.morphologyEx((paper_distance(grey) > MARGIN_INK).astype(np.uint8), cv2.MORPH_OPEN, np.ones((2, 2), np.uint8))
+    left, top, width, height = cv2.boundingRect(drawn)
+    if max(width, height) < LEAST_DRAWN or (width >= NARROW * grey.shape[1] and height >= NARROW * grey.shape[0]):
+        return None
+    rim = round(KEPT_MARGIN * max(width, height)) + 4
+    right, bottom = min(left + width + rim, grey.shape[1]), min(top + height + rim, grey.shape[0])
+    left, top = max(left - rim, 0), max(top - rim, 0)
+    return left, top, right - left, bottom - top
+
+
+MARGIN_INK = 80
+"""Darker than this, of 255, is surely drawn and no stain of the paper."""
+
+LEAST_DRAWN = 150
+"""What is smaller is a mark on the sheet, no building, pixels."""
+
+NARROW = 0.6
+"""Margins are cut off when the drawing takes less than this share of the sheet's width or height."""
+
+KEPT_MARGIN = 0.1
+"""So wide a margin is kept, as a share of the long side of what is drawn."""
 
 
 def is_light_on_dark(grey: NDArray[np.uint8]) -> bool:
