@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from priorlab.core.shipped import nearest_name
-from priorlab.course import answers_00, answers_03, answers_04, answers_05, answers_06, answers_07
+from priorlab.course import answers_00, answers_01, answers_02, answers_03, answers_04, answers_05, answers_06, answers_07
 from priorlab.course.exercise import Exercise
 
 _tries: Counter[str] = Counter()  # wrong tries so far in this session: decides which hint comes next, nothing else
@@ -35,7 +35,7 @@ class Verdict:
 
 def exercises(seed: int = 0) -> dict[str, Exercise]:
     """Every exercise of the course by its name: the notebook's number, a dot, a word. A seed changes the numbers."""
-    notebooks = (answers_00, answers_03, answers_04, answers_05, answers_06, answers_07)
+    notebooks = (answers_00, answers_01, answers_02, answers_03, answers_04, answers_05, answers_06, answers_07)
     return {name: exercise for notebook in notebooks for name, exercise in notebook.exercises(seed).items()}
 
 
