@@ -8,7 +8,9 @@ from numpy.typing import NDArray
 
 from priorlab.core.drawing import Drawing
 from priorlab.drawing.method import ROBUST, Method
-from priorlab.drawing.preprocessing import Sheet, large_components, prepare
+from priorlab.drawing.preprocessing import large_components, prepare
+from priorlab.drawing.sheet import Sheet
+from priorlab.drawing.tiles import in_tiles
 
 BLOCK = 3
 """Side of the window over which the squared gradient is smoothed, pixels."""
@@ -39,7 +41,7 @@ def detect_corners(drawing: Drawing, n_corners: int | None = None, method: Metho
     Parameters
     ----------
     drawing : the drawing
-    n_corners : how many to keep; `method.n_corners` by default
+    n_corners : how many to keep, in every tile; `method.n_corners` by default
     method : `ROBUST` looks only at long pieces of ink, so that the budget is not spent on text
 
     Returns
@@ -60,17 +62,27 @@ def detect_corners(drawing: Drawing, n_corners: int | None = None, method: Metho
 
 def corners_of(sheet: Sheet, n_corners: int, method: Method) -> NDArray[np.float64]:
     """(N, 2) corners in working pixels."""
-    where = None
+    where: NDArray[np.uint8] | None = None
     image = 255 - sheet.darkness
     if method.component_share > 0:
         lines = large_components(sheet.lines, method.component_share * sheet.long_side)
         image = np.where(lines, 0, 255).astype(np.uint8)  # grey leaves count as much as black walls
-        where = cv2.dilate(lines.astype(np.uint8), np.ones((5, 5), np.uint8))
+        where = np.asarray(cv2.dilate(lines.astype(np.uint8), np.ones((5, 5), np.uint8)), dtype=np.uint8)
+    spacing = max(method.corner_spacing, method.corner_spacing_share * sheet.long_side)
+
+    def strongest(part: NDArray[np.uint8], look_at: NDArray[np.uint8] | None) -> NDArray[np.float64]:
+        return _strongest(part, look_at, n_corners, method.corner_quality, spacing)
+
+    return strongest(image, where) if method.tiles == 1 else in_tiles(image, where, method.tiles, strongest)
+
+
+def _strongest(
+    image: NDArray[np.uint8], where: NDArray[np.uint8] | None, n_corners: int, quality: float, spacing: float
+) -> NDArray[np.float64]:
+    """(N, 2) strongest corners of an image."""
     if np.ptp(image) == 0 or min(image.shape) < 3:
         return np.empty((0, 2))
-    spacing = max(method.corner_spacing, method.corner_spacing_share * sheet.long_side)
     found = cv2.goodFeaturesToTrack(
-        image, n_corners, method.corner_quality, spacing, mask=where,
-        blockSize=BLOCK, useHarrisDetector=True, k=HARRIS_K,
-    )  # fmt: skip
+        image, n_corners, quality, spacing, mask=where, blockSize=BLOCK, useHarrisDetector=True, k=HARRIS_K
+    )
     return np.empty((0, 2)) if found is None else found.reshape(-1, 2).astype(np.float64)

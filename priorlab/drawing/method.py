@@ -15,6 +15,7 @@ class Method:
     name : what reports call it
     sources : what walls are found by: "doors" (3.3.1) or "both", line weight and doors together
     n_corners : Harris corners to keep (fig. 3.9: 200)
+    tiles : n x n tiles, each with corners of its own: divide and conquer (3.4.2)
     corner_quality : weakest corner kept, as a share of the strongest response
     corner_spacing, corner_spacing_share : corners nearer than this are one, pixels, or share of M where that is more
     component_share : corners and line weights only on ink components longer than this share of M; 0 takes all ink
@@ -52,6 +53,7 @@ class Method:
     name: str = "THESIS"
     sources: Literal["doors", "both"] = "doors"
     n_corners: int = 200
+    tiles: int = 1
     corner_quality: float = 0.01
     corner_spacing: float = 3.0
     corner_spacing_share: float = 0.0
@@ -91,7 +93,7 @@ class Method:
     bridge_widths: float = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("n_corners", "min_side", "max_side_share", "isosceles_ratio"):
+        for name in ("n_corners", "tiles", "min_side", "max_side_share", "isosceles_ratio"):
             if not getattr(self, name) > 0:
                 raise ValueError(f"{name} must be above 0, got {getattr(self, name)}")
         if self.sources not in ("doors", "both"):
