@@ -12,11 +12,11 @@ from priorlab.core.grid_map import GridMap, Prior
 from priorlab.figures.case import case
 from priorlab.figures.figure import Entry, Outcome, sheet, verdict_of
 from priorlab.figures.map_sheet import NO_PLAN, bare, map_sheet, posterior, show_map
+from priorlab.figures.row_summary import gain_told, interval_of, mean_looks_of, summary_of, survey_title, three_curves
 from priorlab.mapping.over_time import score_over_time
 from priorlab.mapping.update import update_map
 from priorlab.robot.explore import explore
 from priorlab.study.conditions import SEEDS, Condition, Row, run_all, vary
-from priorlab.study.interval import Interval
 from priorlab.study.qualities import prior_of_quality
 from priorlab.study.surveys import thinned
 from priorlab.study.thesis_drawings import (
@@ -44,12 +44,12 @@ def _density(rng: np.random.Generator) -> Outcome:
     figure, axes = sheet(1, 3, 5.4, 4.6)
     for ax, spacing, name in zip(axes, (QUICK, THOROUGH), ("quick", "thorough"), strict=False):
         own = [row for row in rows if row.condition.spacing == spacing]
-        plot.interval_bars(THESIS_DRAWINGS, _three_bars(own), ax, _survey(name, own))
+        plot.interval_bars(THESIS_DRAWINGS, three_curves(_by_drawing(own)), ax, survey_title(name, own))
     looks, gains = {}, {}
     for name in THESIS_DRAWINGS:
         groups = [[row for row in rows if row.condition == Condition(name, spacing)] for spacing in SPACINGS]
-        looks[name] = [_looks(group) for group in groups]
-        gains[name] = [_interval([row.worth.gain_percent for row in group]) for group in groups]
+        looks[name] = [mean_looks_of(group) for group in groups]
+        gains[name] = [interval_of([row.worth.gain_percent for row in group]) for group in groups]
     plot.looks_axis(plot.gains(looks, gains, axes[2], "quick to dense, 5 seeds each"), 1.0, 14.0)
     told = [row.as_numbers() for row in rows]
     by_looks = np.array([(row["mean_looks"], row["gain_percent"]) for row in told])
@@ -89,7 +89,7 @@ def _over_time(rng: np.random.Generator) -> Outcome:
             survey = thinned(plan.survey, round(DENSE / FINEST), child)
             runs.append(score_over_time(explore(plan.truth, survey, sensor_for(plan)), starts, plan.truth, every=EVERY))
         n = min(len(one.steps) for one in runs) - 1  # seeds differ by a few poses
-        curves = {key: np.array([_interval([one.f_beta[key][k] for one in runs]) for k in range(n)]) for key in starts}
+        curves = {key: np.array([interval_of([one.f_beta[key][k] for one in runs]) for k in range(n)]) for key in starts}
         alone = float(runs[0].f_beta["with the plan"][0])
         curves["the plan alone"] = np.full((n, 3), alone)
         steps = runs[0].steps[:n]
@@ -141,20 +141,9 @@ def _damaged(rng: np.random.Generator) -> Outcome:
     for quality in DAMAGED:
         for name, spacing in (("quick", QUICK), ("thorough", THOROUGH)):
             own = [row for row in rows if (row.condition.quality, row.condition.spacing) == (quality, spacing)]
-            gains[f"{quality}, {name}"] = {
-                "gain_percent": _interval([row.worth.gain_percent for row in own]),
-                "better": sum(row.worth.gain_percent > 0 for row in own),
-                "of": len(own),
-                "f2_with_prior": _interval([row.worth.informed.f_beta for row in own]),
-                "f2_without": _interval([row.worth.uninformed.f_beta for row in own]),
-                "f2_prior_alone": _interval([row.worth.alone.f_beta for row in own]),
-            }
+            gains[f"{quality}, {name}"] = summary_of(own)
     better = [row["better"] == row["of"] for row in gains.values()]
-    said = "; ".join(
-        f"{key}: {row['gain_percent'][0]:+.0f} % ({row['gain_percent'][1]:+.0f} to {row['gain_percent'][2]:+.0f}, better in "
-        f"{row['better']} of {row['of']})"
-        for key, row in gains.items()
-    )
+    said = "; ".join(f"{key}: {gain_told(row)}, better in {row['better']} of {row['of']}" for key, row in gains.items())
     return Outcome(
         figure,
         gains,
@@ -164,31 +153,9 @@ def _damaged(rng: np.random.Generator) -> Outcome:
     )
 
 
-def _three_bars(rows: list[Row]) -> dict[str, list[list[float]]]:
-    """F2 of each drawing: with the plan, without, the plan alone."""
-    by_name = [[row.worth for row in rows if row.condition.building == name] for name in THESIS_DRAWINGS]
-    return {
-        "with the plan": [_interval([worth.informed.f_beta for worth in own]) for own in by_name],
-        "without (0.5)": [_interval([worth.uninformed.f_beta for worth in own]) for own in by_name],
-        "the plan alone": [_interval([worth.alone.f_beta for worth in own]) for own in by_name],
-    }
-
-
-def _interval(values: list[float]) -> list[float]:
-    """Mean, lowest, highest."""
-    of = Interval.of(values)
-    return [of.mean, of.low, of.high]
-
-
-def _survey(name: str, rows: list[Row]) -> str:
-    """What a survey saw, as a title."""
-    coverage = np.mean([row.worth.coverage for row in rows])
-    return f"{name} survey: {_looks(rows):.1f} looks at a seen cell,\n{100 * coverage:.0f} % of the walls seen; 5 seeds"
-
-
-def _looks(rows: list[Row]) -> float:
-    """Mean looks over some runs."""
-    return float(np.mean([row.worth.mean_looks for row in rows]))
+def _by_drawing(rows: list[Row]) -> list[list[Row]]:
+    """The rows of each drawing."""
+    return [[row for row in rows if row.condition.building == name] for name in THESIS_DRAWINGS]
 
 
 def _mean_of(rows: list[dict[str, Any]]) -> float:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -10,9 +9,9 @@ import numpy as np
 from priorlab import plot
 from priorlab.core.grid_map import Prior
 from priorlab.figures.figure import Entry, Outcome, sheet, verdict_of
+from priorlab.figures.row_summary import curve_of, gain_told, interval_of, summary_of, survey_title, three_curves
 from priorlab.robot.range_noise import RangeNoise
 from priorlab.study.conditions import SEEDS, Condition, Row, run_all, vary
-from priorlab.study.interval import Interval
 from priorlab.study.qualities import QUALITIES
 from priorlab.study.thesis_drawings import DENSE, QUICK, THESIS_DRAWINGS, THOROUGH
 
@@ -39,10 +38,10 @@ def _cells(rng: np.random.Generator) -> Outcome:
     for ax, name in zip(axes, ("quick", "thorough"), strict=True):
         own = [row for row in rows if row.condition.spacing == SURVEYS[name]]
         groups = [[row for row in own if row.condition.cell_size == size] for size in CELL_SIZES]
-        plot.interval_lines(CELL_SIZES, _three(groups), ax, _survey(name, own), "cell size, px")
+        plot.interval_lines(CELL_SIZES, three_curves(groups), ax, survey_title(name, own), "cell size, px")
         ax.set(xticks=CELL_SIZES, ylim=(0, 1.02))
     gains = {
-        f"{name}, {size:g} px": _stats(
+        f"{name}, {size:g} px": summary_of(
             row for row in rows if row.condition.spacing == SURVEYS[name] and row.condition.cell_size == size
         )
         for name in ("quick", "thorough")
@@ -53,7 +52,7 @@ def _cells(rng: np.random.Generator) -> Outcome:
         figure,
         {"summary": gains, "rows": [row.as_numbers() for row in rows], "seeds": list(SEEDS)},
         verdict_of(coarse),
-        "gain in F2: " + "; ".join(f"{key} {_said(one)}" for key, one in gains.items()),
+        "gain in F2: " + "; ".join(f"{key} {gain_told(one)}" for key, one in gains.items()),
         "F2 over cell size for a quick and a thorough survey: with the plan, without it, the plan alone, intervals shaded.",
     )
 
@@ -64,19 +63,19 @@ def _exploration(rng: np.random.Generator) -> Outcome:
     figure, axes = sheet(1, 2, 5.8, 4.2)
     groups = [[row for row in rows if row.condition.explored == share] for share in SHARES]
     shares = 100 * np.array(SHARES)
-    plot.interval_lines(shares, _three(groups), axes[0], "the whole building", "share of a thorough survey, %")
+    plot.interval_lines(shares, three_curves(groups), axes[0], "the whole building", "share of a thorough survey, %")
     apart = {
-        "with the plan, where seen": _curve(groups, lambda row: row.worth.seen_informed.f_beta),
-        "without, where seen": _curve(groups, lambda row: row.worth.seen_uninformed.f_beta),
-        "with the plan, where not": _curve(groups, lambda row: row.worth.unseen.f_beta),
+        "with the plan, where seen": curve_of(groups, lambda row: row.worth.seen_informed.f_beta),
+        "without, where seen": curve_of(groups, lambda row: row.worth.seen_uninformed.f_beta),
+        "with the plan, where not": curve_of(groups, lambda row: row.worth.unseen.f_beta),
     }
     plot.interval_lines(shares, apart, axes[1], "seen and unseen apart (without a plan: 0 where unseen)", axes[0].get_xlabel())
     for ax in axes:
         ax.set(ylim=(0, 1.02))
     summary = {
         f"{100 * share:g} %": {
-            **_stats(group),
-            "coverage": _interval(row.worth.coverage for row in group),
+            **summary_of(group),
+            "coverage": interval_of(row.worth.coverage for row in group),
             **{name: curve[i] for name, curve in apart.items()},
         }
         for i, (share, group) in enumerate(zip(SHARES, groups, strict=True))
@@ -88,7 +87,7 @@ def _exploration(rng: np.random.Generator) -> Outcome:
         {"summary": summary, "rows": [row.as_numbers() for row in rows], "seeds": list(SEEDS)},
         verdict_of(better),
         "gain in F2 by explored share: "
-        + "; ".join(f"{key} {_said(one)}" for key, one in summary.items())
+        + "; ".join(f"{key} {gain_told(one)}" for key, one in summary.items())
         + f"; half explored, the plan has {half['with the plan, where not'][0]:.2f} where nobody looked, but where somebody did "
         f"{half['with the plan, where seen'][0]:.2f} against {half['without, where seen'][0]:.2f} without it",
         "F2 over the explored share of a survey: whole building on the left, seen and unseen parts apart on the right.",
@@ -103,8 +102,8 @@ def _priors(rng: np.random.Generator) -> Outcome:
     for ax, name in zip(axes, ("quick", "dense"), strict=True):
         own = [row for row in rows if row.condition.spacing == SURVEYS[name]]
         groups = [[row for row in own if row.condition.quality == quality] for quality in QUALITIES]
-        plot.interval_bars(QUALITIES, _three(groups), ax, _survey(name, own))
-        summary |= {f"{name}, {quality}": _stats(group) for quality, group in zip(QUALITIES, groups, strict=True)}
+        plot.interval_bars(QUALITIES, three_curves(groups), ax, survey_title(name, own))
+        summary |= {f"{name}, {quality}": summary_of(group) for quality, group in zip(QUALITIES, groups, strict=True)}
     plans = [quality for quality in QUALITIES if "everywhere" not in quality]
     always = {key: one["better"] == one["of"] for key, one in summary.items()}
     better = {name: [always[f"{name}, {quality}"] for quality in plans] for name in ("quick", "dense")}
@@ -114,7 +113,7 @@ def _priors(rng: np.random.Generator) -> Outcome:
         verdict_of([*better["quick"], *better["dense"]]),
         f"quick: {sum(better['quick'])} of {len(plans)} kinds of plan are better than none on every drawing and seed, dense: "
         f"{sum(better['dense'])}; gain quick: "
-        + "; ".join(f"{quality} {_said(summary[f'quick, {quality}'])}" for quality in QUALITIES),
+        + "; ".join(f"{quality} {gain_told(summary[f'quick, {quality}'])}" for quality in QUALITIES),
         "Bars of F2 with priors of ten qualities, without a prior, and of each prior alone, for a quick and a dense survey.",
     )
 
@@ -131,8 +130,8 @@ def _sensors(rng: np.random.Generator) -> Outcome:
     for ax, how in zip(axes, SURVEYS, strict=True):
         here = {name: groups[f"{name}, {how}"] for name in SENSORS}
         names = [name.replace(", prior", ",\nprior") for name in SENSORS]
-        plot.interval_bars(names, _three(list(here.values())), ax, _survey(how, here[names[0]]))
-    summary = {key: _stats(own) | {"breaks_eq_2_22": own[0].worth.overruled} for key, own in groups.items()}
+        plot.interval_bars(names, three_curves(list(here.values())), ax, survey_title(how, here[names[0]]))
+    summary = {key: summary_of(own) | {"breaks_eq_2_22": own[0].worth.overruled} for key, own in groups.items()}
     quick = [one["gain_percent"][1] >= 20 for key, one in summary.items() if key.endswith("quick")]
     sure, fitting = list(SENSORS)[-2:]
     pays = [summary[f"{fitting}, {how}"]["f2_with_prior"][0] > summary[f"{sure}, {how}"]["f2_with_prior"][0] for how in SURVEYS]
@@ -142,7 +141,7 @@ def _sensors(rng: np.random.Generator) -> Outcome:
         {"summary": summary, "rows": [row.as_numbers() for row in rows], "seeds": list(SEEDS)},
         verdict_of([*quick, *pays]),
         "gain in F2: "
-        + "; ".join(f"{key} {_said(one)}" for key, one in summary.items())
+        + "; ".join(f"{key} {gain_told(one)}" for key, one in summary.items())
         + f"; {len(broken)} of {len(summary)} rows break eq. 2.22 (0.9 x 0.9 = 0.81 against p_free 0.8: every further free look "
         f"makes space less free), and with the weaker sensor the prior (0.4, 0.75) has the higher F2 in {sum(pays)} of "
         f"{len(pays)} surveys",
@@ -162,11 +161,11 @@ def _updates(rng: np.random.Generator) -> Outcome:
         bars = {}
         for lam, label in ((1.0, "lam = 1, the thesis's update"), (0.0, "lam = 0, Bayes")):
             groups = [[row for row in own if row.condition.lam == lam and row.condition.quality == q] for q in WALLS]
-            bars[label] = _curve(groups, lambda row: row.worth.informed.f_beta)
-            summary |= {f"{name}, {q}, lam {lam:g}": _stats(group) for q, group in zip(WALLS, groups, strict=True)}
-        bars["without (0.5)"] = _curve(groups, lambda row: row.worth.uninformed.f_beta)
-        bars["the plan alone"] = _curve(groups, lambda row: row.worth.alone.f_beta)
-        plot.interval_bars(WALLS, bars, ax, _survey(name, own))
+            bars[label] = curve_of(groups, lambda row: row.worth.informed.f_beta)
+            summary |= {f"{name}, {q}, lam {lam:g}": summary_of(group) for q, group in zip(WALLS, groups, strict=True)}
+        bars["without (0.5)"] = curve_of(groups, lambda row: row.worth.uninformed.f_beta)
+        bars["the plan alone"] = curve_of(groups, lambda row: row.worth.alone.f_beta)
+        plot.interval_bars(WALLS, bars, ax, survey_title(name, own))
     good = [summary[f"{name}, {q}, lam 0"] for name in SURVEYS for q in ("true walls", "extracted")]
     never_lost = [one["better"] == one["of"] for one in good]
     bad = [(summary[f"{name}, {q}, lam 1"], summary[f"{name}, {q}, lam 0"]) for name in SURVEYS for q in WALLS[2:]]
@@ -179,59 +178,10 @@ def _updates(rng: np.random.Generator) -> Outcome:
         f"{len(never_lost)} cases; with damaged walls the thesis's update has the higher mean F2 in {thesis_wins} of "
         f"{len(bad)}; extracted walls, gain: "
         + "; ".join(
-            f"{name} lam 1 {_said(summary[f'{name}, extracted, lam 1'])}, lam 0 {_said(summary[f'{name}, extracted, lam 0'])}"
-            for name in SURVEYS
+            f"{name} lam {lam:g} {gain_told(summary[f'{name}, extracted, lam {lam:g}'])}" for name in SURVEYS for lam in (1, 0)
         ),
         "Bars of F2 for two updates, no prior and the plan alone, five qualities of walls, three surveys.",
     )
-
-
-def _survey(name: str, rows: list[Row]) -> str:
-    """What a survey saw, as a title."""
-    looks, coverage = (np.mean([getattr(row.worth, key) for row in rows]) for key in ("mean_looks", "coverage"))
-    return f"{name} survey: {looks:.1f} looks at a seen cell,\n{100 * coverage:.0f} % of the walls seen; 5 drawings x 5 seeds"
-
-
-def _three(groups: list[list[Row]]) -> dict[str, list[list[float]]]:
-    """With the plan, without, the plan alone: an interval for each group."""
-    return {
-        "with the plan": _curve(groups, lambda row: row.worth.informed.f_beta),
-        "without (0.5)": _curve(groups, lambda row: row.worth.uninformed.f_beta),
-        "the plan alone": _curve(groups, lambda row: row.worth.alone.f_beta),
-    }
-
-
-def _curve(groups: list[list[Row]], value: Callable[[Row], float]) -> list[list[float]]:
-    """An interval for each group."""
-    return [_interval(value(row) for row in group) for group in groups]
-
-
-def _stats(rows: Iterable[Row]) -> dict[str, Any]:
-    """What a group gives: gain, F2, looks; and on how many drawings and seeds the prior is better than none."""
-    own = list(rows)
-    gains = [row.worth.gain_percent for row in own]
-    return {
-        "gain_percent": _interval(gains),
-        "better": sum(row.worth.informed.f_beta > row.worth.uninformed.f_beta for row in own),
-        "of": len(own),
-        "f2_with_prior": _interval(row.worth.informed.f_beta for row in own),
-        "f2_without": _interval(row.worth.uninformed.f_beta for row in own),
-        "f2_prior_alone": _interval(row.worth.alone.f_beta for row in own),
-        "mean_looks": _interval(row.worth.mean_looks for row in own),
-        "coverage": _interval(row.worth.coverage for row in own),
-    }
-
-
-def _interval(values: Iterable[float]) -> list[float]:
-    """Mean, lowest, highest."""
-    of = Interval.of(values)
-    return [of.mean, of.low, of.high]
-
-
-def _said(one: dict[str, Any]) -> str:
-    """Mean gain and its range."""
-    mean, low, high = one["gain_percent"]
-    return f"{mean:+.0f} % ({low:+.0f} to {high:+.0f})"
 
 
 STUDY_CELLS = Entry(

@@ -54,6 +54,13 @@ class Condition:
     p_occupied: float = 0.1
     noise: RangeNoise = EXACT
 
+    def __post_init__(self) -> None:
+        every = self.spacing / FINEST
+        if every < 1 - 1e-9 or abs(every - round(every)) > 1e-9:
+            raise ValueError(f"spacing must be a multiple of {FINEST:g} sensor ranges, got {self.spacing:g}")
+        if not 0 < self.explored <= 1:
+            raise ValueError(f"explored must lie in (0, 1], got {self.explored:g}")
+
 
 @dataclass(frozen=True)
 class Row:

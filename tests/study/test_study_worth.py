@@ -87,6 +87,13 @@ def test_run_agrees_with_the_recursion(lam):
     assert row.poses == len(readings)
 
 
+def test_condition_says_what_no_survey_can_be():
+    with pytest.raises(ValueError, match="spacing must be a multiple of 0.05 sensor ranges, got 0.33"):
+        Condition("flat_north", spacing=0.33)
+    with pytest.raises(ValueError, match=r"explored must lie in \(0, 1\], got 0"):
+        Condition("flat_north", explored=0)
+
+
 def test_runs_are_reproducible_and_seeds_differ():
     base = Condition("flat_north", cell_size=5, quality="poor")
     one, other = run_all([base], seeds=[0, 1])
