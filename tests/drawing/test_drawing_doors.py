@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from priorlab.core.drawing import Door, Drawing
-from priorlab.drawing.candidates import TESTS, wedges
+from priorlab.drawing.candidates import TESTS, literal_triples, wedges
 from priorlab.drawing.corners import detect_corners
 from priorlab.drawing.doors import detect_doors, search_doors
 from priorlab.drawing.jambs import with_measured_jambs
@@ -36,6 +36,7 @@ def test_wedges_with_an_open_side_are_the_triples_of_two_connected_sides(seed, n
     as_sets = [frozenset(map(int, wedge)) for wedge in open_ones]
     assert len(as_sets) == len(set(as_sets))
     assert set(as_sets) == _triples(connected)
+    assert sorted(literal_triples(connected).tolist()) == sorted(open_ones.tolist())
 
 
 @pytest.mark.parametrize("method", [ROBUST])
