@@ -6,20 +6,34 @@ ink; an opening gives the ink that survives its thickness back.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
 from functools import partial
+from typing import Protocol
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.building import Truth
 from priorlab.core.drawing import Drawing
+from priorlab.core.score import Score, score_mask
 from priorlab.drawing.preprocessing import large_components, paper_distance
 from priorlab.drawing.runs import run_lengths
 from priorlab.drawing.strokes import opened, thinner_run
 
 DARK = 127
 """Distance from the paper above which a pixel is ink."""
+
+DARKNESSES = (15, 35, 55, 80, 105, 127, 160, 200)
+"""Thresholds that `best_darkness` chooses from."""
+
+
+class Filter(Protocol):
+    """What all of them are: a drawing and an ink threshold in, a (height, width) mask of walls out."""
+
+    def __call__(self, drawing: Drawing, *, darkness: int = DARK) -> NDArray[np.bool_]:
+        """The walls."""
+        ...
 
 
 def dilation(drawing: Drawing, side: int = 2, darkness: int = DARK) -> NDArray[np.bool_]:
@@ -71,7 +85,29 @@ def ink_of(drawing: Drawing, darkness: int = DARK) -> NDArray[np.bool_]:
     return np.asarray(paper_distance(image) > darkness, dtype=bool)
 
 
-BASELINES: Mapping[str, Callable[[Drawing], NDArray[np.bool_]]] = {
+def best_darkness(simple: Filter, drawing: Drawing, truth: Truth, darknesses: Sequence[int] = DARKNESSES) -> tuple[int, Score]:
+    """The ink threshold at which a filter does best on a drawing whose walls are known, and how well.
+
+    A filter stands or falls with what it takes for ink: no method should look good beside one at a bad threshold.
+
+    Parameters
+    ----------
+    simple : one of `BASELINES`, or a filter of the same kind
+    drawing, truth : the drawing and its walls
+    darknesses : distances from the paper to choose from
+
+    Returns
+    -------
+    the threshold with the largest intersection over union, the smallest of equals, and the score there
+    """
+    if not len(darknesses):
+        raise ValueError("darknesses must hold at least one threshold, got none")
+    scores = {darkness: score_mask(simple(drawing, darkness=darkness), truth) for darkness in sorted(darknesses)}
+    best = max(scores, key=lambda darkness: np.nan_to_num(scores[darkness].iou, nan=-1.0))
+    return best, scores[best]
+
+
+BASELINES: Mapping[str, Filter] = {
     "dilation 2 px": partial(dilation, side=2),
     "dilation 4 px": partial(dilation, side=4),
     "opening 4 px": opening,
