@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 from priorlab.core.building import Truth
 from priorlab.core.drawing import Drawing
 from priorlab.core.score import Score, score_mask
-from priorlab.drawing.baselines import BASELINES
+from priorlab.drawing.baselines import BASELINES, best_darkness
 from priorlab.drawing.extraction import Extraction, extract_walls
 from priorlab.drawing.method import Method
 from priorlab.interchange.images import read_drawing
@@ -38,9 +38,6 @@ from priorlab.study.ranking import Ranked, rank_pixels, ranking_line
 
 Reader = Method | Callable[..., Found]
 """A method of chapter 3, or anything that makes walls, or a (height, width) mask of them, from a drawing."""
-
-DARKNESSES = (15, 35, 55, 80, 105, 127, 160, 200)
-"""Ink thresholds that a simple filter may choose from: distances from the paper."""
 
 MASK_CELLS = 224
 """Cells along the long side of the grid that people's masks were made on: they are right to half a cell."""
@@ -155,9 +152,10 @@ def mask_of(found: Found) -> NDArray[np.bool_]:
 
 def score_plan(plan: MarkedPlan, title: str, reader: Reader) -> PlanRow:
     """One method on one plan."""
-    if reader is not BASELINES.get(title):
-        return _row(plan, title, reader, None)
-    return max((_row(plan, title, reader, darkness) for darkness in DARKNESSES), key=lambda row: row.score.tp and row.score.iou)
+    darkness = None
+    if title in BASELINES and reader is BASELINES[title]:
+        darkness, _ = best_darkness(BASELINES[title], plan.drawing, plan.truth)
+    return _row(plan, title, reader, darkness)
 
 
 def plans_table(rows: Iterable[PlanRow], targets: Mapping[str, float] | None = None) -> str:
