@@ -18,17 +18,23 @@ from priorlab.drawing.overlap import dark_share, overlap_with_kept
 from priorlab.drawing.preprocessing import Sheet
 from priorlab.drawing.symbol import WORTH, Symbols, is_box, read_symbols
 
-SURE_SUPPORT = 0.9
+SURE_SUPPORT = 0.97
 """Share of wall ink beyond both jambs of a door without an arc."""
 
 SURE_INK = 0.9
 """Share of ink along both sides of a door without an arc."""
 
+PAIR_INK = 2.5
+"""The open side of a double door's leaf may hold so many times as much ink."""
+
+SURE_EQUAL = 0.87
+"""Shorter over longer of leaf and opening, of a leaf on its own."""
+
 SURE_OPEN = 0.1
 """Share of ink that the open side of a door without an arc stays below."""
 
-LONG_WALL = 5.0
-"""What stands at the jambs of a door without an arc is so many times as long as the door is wide; furniture is not."""
+LONG_WALL = 4.0
+"""What stands at the jambs of a door is so many times as long as the door is wide; furniture is not."""
 
 SLACK_SHARE = 0.001
 """Ink counts as on a line of a symbol within this share of M, and at least within a pixel."""
@@ -176,7 +182,8 @@ def symbol(some: Shortlist) -> tuple[Measure, ...]:
         Measure("ink along the leaf", seen.leaf, np.where(alone, np.maximum(SURE_INK, method.min_leaf), method.min_leaf)),
         Measure("ink along the arc or chord", seen.swing, np.where(alone, 0.0, method.min_arc)),
         Measure("ink along the chord of an arc", np.where(seen.has_arc, seen.chord, 0.0), None, method.max_chord),
-        Measure("shorter over longer of leaf and open side", seen.equal, method.isosceles_ratio - 0.1, strict=True),
+        Measure("shorter over longer of leaf and open side", seen.equal, np.where(alone, SURE_EQUAL, method.min_equal)),
+        Measure("angle of an arc, degrees", np.where(seen.has_arc, seen.opening_deg, 90.0), method.min_arc_angle),
         Measure("ink beyond the tip", seen.beyond, None, method.max_beyond),
     )
     boxed = np.zeros(len(some))
@@ -186,21 +193,27 @@ def symbol(some: Shortlist) -> tuple[Measure, ...]:
 
 
 def open_side(some: Shortlist) -> tuple[Measure, ...]:
-    """The side that people walk through is white."""
-    return (Measure("ink on the open side", some.symbols.open_ink, None, some.scene.method.max_open_ink),)
+    """The side that people walk through is white; at the strike of a double door the other leaf's arc ends."""
+    method, open_ink = some.scene.method, some.symbols.open_ink
+    paired = meets_other_leaf(some.symbols, some.jambs, method.min_support) & (method.min_support > 0)
+    return (
+        Measure("ink on the open side", open_ink, None, np.where(paired, PAIR_INK * method.max_open_ink, method.max_open_ink)),
+    )
 
 
 def jamb_support(some: Shortlist) -> tuple[Measure, ...]:
     """Both jambs stand at walls, or the strike at another leaf's; a door without an arc must be surer of all it has."""
     least, seen, jambs = some.scene.method.min_support, some.symbols, some.jambs
-    at_strike = np.where(meets_other_leaf(seen, jambs, least), 1.0, jambs.strike_support)
+    paired = meets_other_leaf(seen, jambs, least)
+    at_strike = np.where(paired, 1.0, jambs.strike_support)
+    length = jambs.wall_length / np.maximum(seen.width, 1e-9)
     arc = seen.has_arc
     support = np.where(arc, least, np.maximum(least, SURE_SUPPORT))
     sides = np.minimum(seen.leaf, np.where(seen.is_alone, 1.0, seen.chord))
     return (
         Measure("wall beyond the hinge", jambs.hinge_support, support),
         Measure("wall or leaf beyond the strike", at_strike, support),
-        Measure("length of what stands at the jambs, in widths", jambs.wall_length / seen.width, np.where(arc, 0.0, LONG_WALL)),
+        Measure("length of what stands at the jambs, in widths", length, np.where(paired, 0.0, LONG_WALL)),
         Measure("ink along leaf and chord, without an arc", sides, np.where(arc, 0.0, SURE_INK)),
         Measure("ink beside the open side, without an arc", seen.crossed, None, np.where(arc, np.inf, SURE_OPEN), strict=True),
     )

@@ -146,7 +146,7 @@ def _competitors(
     search: DoorSearch, scene: Scene, test: str, triple: NDArray[np.int64], row: int | None
 ) -> tuple[Shortlist, int]:
     """The candidates that this test compared, the one in question among them, and its place."""
-    if test not in ("jamb support", "overlap", "size mode", "kind"):
+    if test not in ("open side", "jamb support", "overlap", "size mode", "kind"):
         return Shortlist(scene, triple[None, :]), 0
     reached = (search.reasons == DOOR) | (search.reasons >= TESTS.index(test))
     rows = np.flatnonzero(reached)

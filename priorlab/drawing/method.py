@@ -33,6 +33,8 @@ class Method:
     max_tilt : the open side lies within so many degrees of an axis (eq. 3.15); 45 allows all
     wings : an open side in line with the walls at both its jambs may lie at any angle
     min_leaf, min_arc, min_support : shares of ink along the leaf, along its arc (or chord), and beyond each jamb; 0 asks for none
+    min_equal : shorter over longer of leaf and open side; 0 asks for nothing
+    min_arc_angle : a leaf with an arc is drawn open by so many degrees; flatter arcs cannot be told from lines
     max_chord : share of ink allowed along the straight line below an arc; 1 asks for nothing
     max_beyond : share of ink allowed where leaf or arc would go on beyond the tip; 1 asks for nothing
     lone_leaves : one drawn side is enough: a leaf without an arc, or with a broken one
@@ -76,6 +78,8 @@ class Method:
     min_leaf: float = 0.0
     min_arc: float = 0.0
     min_support: float = 0.0
+    min_equal: float = 0.0
+    min_arc_angle: float = 0.0
     max_chord: float = 1.0
     max_beyond: float = 1.0
     lone_leaves: bool = False
@@ -126,10 +130,12 @@ ROBUST = Method(
     min_leaf=0.8,
     min_arc=0.85,
     min_support=0.75,
+    min_equal=0.75,
+    min_arc_angle=50.0,
     max_chord=0.35,
     max_beyond=0.6,
     lone_leaves=True,
-    max_open_ink=0.25,
+    max_open_ink=0.11,
     keep_best=True,
     size_mode_factor=1.5,
     one_kind=True,

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-BARE = 0.2
+BARE = 0.26
 """Less ink than this, along arc and chord alike, is none of a swing: the leaf stands alone."""
 
 ARC_LEAD = 0.4
@@ -55,6 +55,13 @@ class Symbols:
     def width(self) -> NDArray[np.float64]:
         """Length of the open side."""
         return np.asarray(np.hypot(*(self.strike - self.hinge).T))
+
+    @property
+    def opening_deg(self) -> NDArray[np.float64]:
+        """Angle at the hinge between leaf and open side: how far the door is drawn open."""
+        leaf, side = self.tip - self.hinge, self.strike - self.hinge
+        cosine = (leaf * side).sum(axis=1) / np.maximum(np.hypot(*leaf.T) * np.hypot(*side.T), 1e-9)
+        return np.asarray(np.degrees(np.arccos(np.clip(cosine, -1, 1))))
 
     @property
     def swing(self) -> NDArray[np.float64]:
@@ -130,7 +137,7 @@ def _drawn(lines: NDArray[np.bool_], tip: NDArray, hinge: NDArray, strike: NDArr
         "arc": look_up(lines, arc_points(hinge, tip, strike)).mean(axis=1),
         "chord": look_up(lines, points_between(tip, strike)).mean(axis=1),
         "open_ink": lanes.min(axis=0),
-        "crossed": lanes.max(axis=0),
+        "crossed": _open_lanes(lines, hinge, strike, 0.22).max(axis=0),  # a leaf half open leaves the hinge between them
         "beyond": np.maximum(_goes_on(lines, arc_beyond, hinge, tip, strike), _goes_on(lines, leaf_beyond, hinge, tip, strike)),
     }
 
@@ -193,11 +200,11 @@ def leaf_beyond(hinge: NDArray, tip: NDArray, strike: NDArray, aside: float = 0.
     return (hinge + aside * left)[:, None, :] + share * leaf[:, None, :]
 
 
-def _open_lanes(lines: NDArray[np.bool_], hinge: NDArray, strike: NDArray) -> NDArray:
-    """(3, K) share of ink on the open side and on a line to either side of it."""
+def _open_lanes(lines: NDArray[np.bool_], hinge: NDArray, strike: NDArray, margin: float = 0.12) -> NDArray:
+    """(3, K) share of ink on the open side and on a line to either side of it, a margin left out at the jambs."""
     along = strike - hinge
     across = OPEN_ASIDE * np.stack([-along[:, 1], along[:, 0]], axis=1)
-    lanes = [points_between(hinge + k * across, strike + k * across, 0.12) for k in (-1, 0, 1)]
+    lanes = [points_between(hinge + k * across, strike + k * across, margin) for k in (-1, 0, 1)]
     return np.stack([look_up(lines, lane).mean(axis=1) for lane in lanes])
 
 
