@@ -16,7 +16,8 @@ import nbformat
 import pytest
 
 ROOT = Path(__file__).parents[2]
-START, PRIORS, LOG_ODDS, SWEEP = "00_start_here", "03_priors", "04_log_odds", "05_pareto_sweep"
+START, DOORS, WALLS = "00_start_here", "01_doors", "02_walls"
+PRIORS, LOG_ODDS, SWEEP = "03_priors", "04_log_odds", "05_pareto_sweep"
 WORTH, DEPTH = "06_worth_it", "07_depth_camera"
 CLOSED_FORM = "l_0 + total - lam * looks * l_0"
 MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red first
@@ -28,6 +29,28 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
     "F1 for F2": (LOG_ODDS, "core/score.py", "DETECTED_WALL, beta: float = 2.0", "DETECTED_WALL, beta: float = 1.0", 5),
     "factor 1": (START, "core/grid_map.py", "factor: float = 0.9", "factor: float = 1.0", 2),
     "lam 0 by default": (START, "mapping/update.py", "lam: float = 1.0) -> GridMap", "lam: float = 0.0) -> GridMap", 3),
+    "no trace": (DOORS, "drawing/corners.py", "HARRIS_K = 0.04", "HARRIS_K = 0.0", 1),
+    "eq. 3.5 as printed": (DOORS, "drawing/geometry.py", "np.minimum(lengths, other) / np.maximum(", "lengths / np.minimum(", 2),
+    "the farthest dark one": (DOORS, "drawing/connectivity.py", "x, y = min(dark, key", "x, y = max(dark, key", 3),
+    "of the larger area": (DOORS, "drawing/overlap.py", "smaller = min(", "smaller = max(", 4),
+    "every order counts": (
+        DOORS,
+        "drawing/candidates.py",
+        "math.comb(len(self.corners), 3)",
+        "math.perm(len(self.corners), 3)",
+        5,
+    ),
+    "v for h": (WALLS, "drawing/sweeps.py", 'return "h" if across > down', 'return "h" if across < down', 1),
+    "don't-care counted": (WALLS, "core/score.py", "counted = ~truth.ignore", "counted = np.ones_like(truth.ignore)", 2),
+    "a larger square": (
+        WALLS,
+        "drawing/baselines.py",
+        "opened(ink_of(drawing, darkness), side)",
+        "opened(ink_of(drawing), side + 1)",
+        3,
+    ),
+    "tiles from the left": (WALLS, "study/detail.py", "top + height, left : left + width]", "top + height, :width]", 4),
+    "notes kept back": (WALLS, "study/own_drawing.py", "OwnResult(found, found.notes)", "OwnResult(found, ())", 5),
     "another factor": (PRIORS, "core/grid_map.py", "factor: float = 0.9", "factor: float = 0.95", 1),
     "eq. 2.22 upside down": (PRIORS, "mapping/overruled.py", "if not is_overruled(", "if is_overruled(", 2),
     "survey of another density": (PRIORS, "buildings/floor_plans.py", "if survey_spacing is None else", "if True else", 3),
