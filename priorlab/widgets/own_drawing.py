@@ -12,11 +12,14 @@ import numpy as np
 from priorlab.core.drawing import Drawing
 from priorlab.drawing.method import ROBUST, THESIS
 from priorlab.study.own_drawing import OwnResult, extract_own
-from priorlab.widgets.canvas import GREEN, ORANGE, Canvas
+from priorlab.widgets.canvas import BLUE, ORANGE, Canvas
 from priorlab.widgets.lab import table
 from priorlab.widgets.picture import Picture
 
 METHODS = {"ROBUST": ROBUST, "THESIS": THESIS}
+SURE = 0.7
+"""Pieces of wall below this confidence are shown in another colour."""
+
 _ROW = ipywidgets.Layout(flex_flow="row wrap", align_items="center")
 
 
@@ -92,8 +95,8 @@ class OwnDrawing(ipywidgets.VBox):
         self.pictures[0].show(canvas.picture, f"{self.found.drawing.name} with {len(self.found.doors)} doors, orange triangles")
         walls = Canvas(self.found.drawing.grey, 1, faint=0.75)
         walls.tint(self.found.walls.mask, (0, 0, 0))
-        walls.tint(self.found.walls.mask & ~_dark(self.found.drawing), GREEN)
-        self.pictures[1].show(walls.picture, f"walls, black; green: wall where there is no ink. {self}")
+        walls.tint(self.found.walls.mask & (self.found.confidence < SURE), BLUE)
+        self.pictures[1].show(walls.picture, f"walls, black; blue: those with a confidence below {SURE:g}. {self}")
 
     def __repr__(self) -> str:
         if self.found is None:
@@ -120,7 +123,13 @@ class OwnDrawing(ipywidgets.VBox):
             rows.append(("made smaller by", f"{found.drawing.reduced_by:.2f}"))
         if found.door_width is not None:
             rows.append(("median door", f"{found.door_width:.0f} px wide"))
-        return [*rows, ("left picture", "orange: doors"), ("right picture", "black: walls")]
+        if found.pieces:
+            unsure = (found.confidence[found.walls.mask] < SURE).mean()
+            least = min(piece.confidence for piece in found.pieces)
+            rows.append(("pieces of wall, the least sure", f"{len(found.pieces)}, confidence {least:.2f}"))
+            rows.append((f"walls below {SURE:g}", f"{100 * unsure:.0f} % of them"))
+        words = f"black: walls; blue: confidence below {SURE:g}"
+        return [*rows, ("left picture", "orange: doors"), ("right picture", words)]
 
     def _working(self, step: str, done: float) -> None:
         """A step of the extraction begins."""
@@ -135,11 +144,6 @@ class OwnDrawing(ipywidgets.VBox):
         """A path was typed."""
         if change["new"]:
             self.take(change["new"])
-
-
-def _dark(drawing: Drawing) -> np.ndarray:
-    """Where the drawing itself is darker than mid-grey."""
-    return drawing.grey < 200
 
 
 def _status(words: str) -> str:

@@ -49,7 +49,7 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
         "opened(ink_of(drawing), side + 1)",
         3,
     ),
-    "tiles from the left": (WALLS, "study/detail.py", "top + height, left : left + width]", "top + height, :width]", 4),
+    "tiles from the left": (WALLS, "drawing/tiles.py", "+ (x0, y0))", "+ (x0, 0))", 4),
     "notes kept back": (WALLS, "study/own_drawing.py", "OwnResult(found, found.notes)", "OwnResult(found, ())", 5),
     "another factor": (PRIORS, "core/grid_map.py", "factor: float = 0.9", "factor: float = 0.95", 1),
     "eq. 2.22 upside down": (PRIORS, "mapping/overruled.py", "if not is_overruled(", "if is_overruled(", 2),
