@@ -120,5 +120,9 @@ def ranking_line(ranked: Iterable[Ranked | None], title: str) -> str:
     if not some:
         return ""
     together = functools.reduce(Ranked.__add__, some)
-    low, high = (f"{100 * together.precision(*bounds):.1f}" for bounds in ((0, 0.5), (0.5, np.inf)))
-    return f"Confidence of {title}: AUC {together.auc:.2f}; of pixels below 0.5 {low} % are right, of the others {high} %"
+    parts = [f"Confidence of {title}: AUC {together.auc:.2f}"]
+    for what, bounds in (("below 0.5", (-np.inf, 0.5)), ("from 0.5", (0.5, np.inf))):
+        right = together.precision(*bounds)
+        if np.isfinite(right):
+            parts.append(f"of pixels {what} {100 * right:.1f} % are right")
+    return ", ".join(parts)

@@ -183,7 +183,8 @@ def _line(row: PlanRow, aim: float | None) -> str:
     strict = "".join(_percent(x) for x in (score.precision, score.recall, f_beta, score.iou))
     near = "".join(_percent(x) for x in (row.near_precision, row.near_recall, row.near_iou))
     ink = f"{'own' if own else row.darkness:>6}"
-    ranking = f"{'-':>9}" if row.ranked is None else f"{row.ranked.auc:>9.2f}"
+    auc = float("nan") if row.ranked is None else row.ranked.auc
+    ranking = f"{auc:>9.2f}" if np.isfinite(auc) else f"{'-':>9}"
     verdict = "" if aim is None or not own else "   reached" if score.iou >= aim else f"   misses {100 * (aim - score.iou):.1f}"
     return f"  {row.method:<26}{strict}{near}{ink}{row.seconds:>7.2f}{ranking}{verdict}"
 

@@ -111,6 +111,6 @@ def test_rank_pixels_refuses_other_shapes():
 
 def test_ranking_line_pools_and_is_empty_without_confidence(ranked):
     assert ranking_line([None, ranked, ranked], "ours") == (
-        "Confidence of ours: AUC 0.50; of pixels below 0.5 100.0 % are right, of the others 50.0 %"
+        "Confidence of ours: AUC 0.50, of pixels below 0.5 100.0 % are right, of pixels from 0.5 50.0 % are right"
     )
     assert ranking_line([None], "ours") == ""
