@@ -1,0 +1,122 @@
+"""Localization on a log's own map: a simulated drive everywhere, freiburg-079 where PRIORLAB_REAL_DATA says.
+
+`make real DATA=folder` prints the real table.
+"""
+
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from priorlab.core.building import World
+from priorlab.core.readings import RobotLog
+from priorlab.core.sensor import Scanner
+from priorlab.interchange.carmen import read_carmen
+from priorlab.interchange.relations import Relations, read_relations
+from priorlab.robot.drive import drive
+from priorlab.study.real_logs import (
+    LASER,
+    WornWheels,
+    every_other,
+    into_map_frame,
+    localize_on_odd_scans,
+    logs_table,
+    map_from_truth,
+    wear_wheels,
+)
+
+SICK = Scanner(n_beams=181, field_of_view=np.pi, min_range_m=0.1, max_range_m=20.0, outlier_rate=0.0, dropout_rate=0.0)
+BEHIND_S = 1211.36
+"""The relations' clock against the log's, seconds."""
+
+
+@pytest.fixture(scope="module")
+def hall():
+    """A drive through a hall of 8 x 5 m with two pillars, its frame moved to x = 30, y = -20."""
+    obstacles = np.zeros((100, 160), dtype=bool)
+    obstacles[[0, -1]] = obstacles[:, [0, -1]] = True
+    obstacles[30:36, 50:56] = obstacles[60:66, 110:116] = True
+    log = drive(World(obstacles, 0.05), [[1, 1], [7, 1], [7, 4], [1, 4]], SICK, rng=np.random.default_rng(4))
+    moved = log.truth + [30, -20, 0]
+    stamps = np.arange(len(log)) / 4
+    return obstacles, RobotLog(moved, log.ranges, log.bearings, SICK, moved[0], moved, stamps)
+
+
+def test_map_from_truth_shows_the_walls_where_they_are(hall):
+    obstacles, log = hall
+    shifted, grid = into_map_frame(log, 20.0)
+    low = log.truth[0] - shifted.truth[0]
+    assert np.allclose(low[:2], [29, -21], atol=0.15) and low[2] == 0  # a metre outside the hall's corner
+    p_empty = map_from_truth(shifted, grid, LASER).p_empty
+    rows, cols = np.nonzero(obstacles)
+    xy = np.column_stack([cols + 0.5, 100 - rows - 0.5]) * 0.05 + [30, -20] - low[:2]
+    near = np.array([p_empty[r - 2 : r + 3, c - 2 : c + 3].min() for r, c in grid.xy_to_cell(grid.metres_to_xy(xy))])
+    skin = (rows == 0) | (rows == 99) | (cols == 0) | (cols == 159)
+    assert (near[skin] < 0.5).mean() > 0.95  # a scanner does not see the inside of pillars
+    middle = grid.xy_to_cell(grid.metres_to_xy([[34, -17.5] - low[:2]]))[0]
+    assert p_empty[tuple(middle)] > 0.99 and p_empty[0, 0] == 0.5
+
+
+def test_every_other_starts_at_its_own_first_pose(hall):
+    log = hall[1]
+    even, odd = every_other(log, 0), every_other(log, 1)
+    assert len(even) + len(odd) == len(log)
+    np.testing.assert_array_equal(odd.start, log.truth[1])
+    np.testing.assert_array_equal(odd.ranges[3], log.ranges[7])
+    assert odd.stamps[3] == log.stamps[7]
+
+
+def test_wear_wheels_without_faults_is_the_truth_and_the_bias_makes_steps_longer(hall):
+    log, rng = hall[1], np.random.default_rng(0)
+    np.testing.assert_allclose(wear_wheels(log, rng, WornWheels(0, 0, 0)).odometry[:, :2], log.truth[:, :2], atol=1e-9)
+    worn = wear_wheels(log, rng, WornWheels(0, 0.5, 0)).odometry
+    np.testing.assert_allclose(worn[:, :2] - worn[0, :2], 1.5 * (log.truth[:, :2] - log.truth[0, :2]), atol=1e-9)
+
+
+def test_wear_wheels_spreads_as_it_says():
+    steps = np.linspace(0, 2000, 20001)
+    straight = RobotLog(np.zeros((20001, 3)), np.zeros((20001, 1)), [0.0], SICK, [0, 0, 0], np.outer(steps, [1, 0, 0]))
+    worn = wear_wheels(straight, np.random.default_rng(1), WornWheels()).odometry
+    lengths = np.hypot(*np.diff(worn[:, :2], axis=0).T)
+    assert lengths.mean() == pytest.approx(0.103, rel=0.01) and lengths.std() == pytest.approx(0.01, rel=0.03)
+    assert np.diff(np.unwrap(worn[:, 2])).std() == pytest.approx(np.radians(1) * 0.1, rel=0.03)
+
+
+def test_localize_on_odd_scans_finds_its_way_and_repeats_itself(hall):
+    few = replace(LASER, particle_limits=(500, 500))
+    rows = [localize_on_odd_scans(hall[1], seed=2, parameters=few) for _ in range(2)]
+    assert rows[0].run.ate_m() < 0.08 < rows[0].dead_reckoning_m and not rows[0].run.lost
+    np.testing.assert_array_equal(rows[0].run.trajectory, rows[1].run.trajectory)
+    true_step = Relations([[0.25, 10.25]], [_step(hall[1].truth[1], hall[1].truth[41])])
+    assert rows[0].relation_errors(true_step).translation_m[0] < 0.2
+    assert len(logs_table("hall", rows, true_step).splitlines()) == 3
+    with pytest.raises(ValueError, match="must have stamps"):
+        localize_on_odd_scans(replace(hall[1], stamps=None), 2, few).relation_errors(true_step)
+
+
+def _step(start, end):
+    """By complex numbers: the way from one pose to another as the first one sees it."""
+    way = complex(*(end - start)[:2]) * np.exp(-1j * start[2])
+    return np.array([way.real, way.imag, end[2] - start[2]])
+
+
+def test_localize_on_odd_scans_says_what_is_missing(hall):
+    log = hall[1]
+    with pytest.raises(ValueError, match="must hold true poses"):
+        localize_on_odd_scans(replace(log, truth=None), 0)
+    short = RobotLog(log.odometry[:3], log.ranges[:3], log.bearings, SICK, log.start, log.truth[:3])
+    with pytest.raises(ValueError, match="at least four scans .* got 3"):
+        localize_on_odd_scans(short, 0)
+
+
+@pytest.mark.skipif("PRIORLAB_REAL_DATA" not in os.environ, reason="PRIORLAB_REAL_DATA is not set")
+def test_localize_on_odd_scans_of_a_real_log():
+    folder = Path(os.environ["PRIORLAB_REAL_DATA"]) / "robot_logs"
+    relations = read_relations(folder / "fr079.relations")
+    log = read_carmen(folder / "freiburg-079-corrected.log.gz", first=600)
+    rows = [localize_on_odd_scans(log, seed=0)]
+    print("\n" + logs_table("freiburg-079", rows, relations, BEHIND_S))
+    assert rows[0].run.ate_m() <= 0.10 < rows[0].dead_reckoning_m and rows[0].run.heading_error_deg() <= 1.0
+    assert rows[0].relation_errors(relations, BEHIND_S).translation_m.mean() <= 0.10
