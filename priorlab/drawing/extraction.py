@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from priorlab.core.drawing import Door, Drawing, Walls
 from priorlab.drawing.candidates import DoorSearch
 from priorlab.drawing.corners import corners_of
-from priorlab.drawing.door_ink import scaled_doors
 from priorlab.drawing.doors import search_doors
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.photograph import is_photograph
+from priorlab.drawing.pieces import WallPiece
 from priorlab.drawing.preprocessing import LEAST_CONTRAST, prepare
 from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.walls import WallSearch, as_walls, search_walls
@@ -70,6 +70,21 @@ class Extraction:
         return self.wall_search.hypotheses
 
     @property
+    def pieces(self) -> tuple[WallPiece, ...]:
+        """The straight stretches of the walls, each with its confidence."""
+        return self.wall_search.pieces
+
+    @property
+    def confidence(self) -> NDArray[np.float64]:
+        """(height, width) confidence of the piece that each wall pixel belongs to, 0 to 1; 0 where there is no wall."""
+        picture = np.zeros(self.walls.shape)
+        for piece in self.pieces:
+            x, y, width, height = piece.box
+            part = picture[y : y + height, x : x + width]
+            part[piece.mask] = np.maximum(part[piece.mask], piece.confidence)
+        return picture
+
+    @property
     def funnel(self) -> Mapping[str, int]:
         """How many are left: corners, wedges of connected sides, then after each test, in order."""
         return {"corners": len(self.corners), **self.door_search.funnel}
@@ -114,7 +129,7 @@ def extract_walls(drawing: Drawing, method: Method = ROBUST, progress: Callable[
     say("doors", 0.1)
     door_search = search_doors(sheet, sheet.points_to_input(corners), method)
     say("walls", 0.6)
-    wall_search = search_walls(sheet, scaled_doors(sheet.doors_to_work(door_search.doors), 1 / sheet.scale), corners, method)
+    wall_search = search_walls(sheet, door_search.doors, corners, method)
     say("done", 1.0)
     walls = as_walls(drawing, wall_search.walls)
     lost_at = None if walls.mask.any() else _lost_at(sheet, door_search, method)

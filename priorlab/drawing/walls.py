@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -11,15 +11,19 @@ from numpy.typing import NDArray
 
 from priorlab.core.drawing import EMPTY, WALL, Door, Drawing, Walls
 from priorlab.drawing.corners import corners_of
-from priorlab.drawing.door_ink import door_ink, scaled_doors
-from priorlab.drawing.faces import without_lone_bars
+from priorlab.drawing.door_ink import door_ink
+from priorlab.drawing.faces import thin_cells, without_lone_bars
+from priorlab.drawing.joined import with_heavy_ink, with_others, without_thin_outside
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import outer_walls
-from priorlab.drawing.preprocessing import Sheet, large_components, prepare
-from priorlab.drawing.strokes import bridge_windows, strip_strokes
+from priorlab.drawing.pieces import WallPiece, wall_pieces
+from priorlab.drawing.preprocessing import large_components, prepare
+from priorlab.drawing.sheet import Sheet
+from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
 from priorlab.drawing.wall_sizes import wall_sizes
 from priorlab.drawing.weight import IN_COLOUR, Hypothesis, judged, weight_hypotheses, with_hatching
+from priorlab.drawing.windows import window_bridges, window_panes
 
 DOORS_ALONE = 0.3
 """Weight of the walls grown from doors alone beside those of line weight: they know no insides and follow any line."""
@@ -28,7 +32,7 @@ DOORS_ALONE = 0.3
 FEWEST_FOR_A_SCALE = 3
 """Doors that are needed to tell how thick a wall can be."""
 
-SOLID_COVERS = 0.65
+SOLID_COVERS = 0.5
 """Solid walls are preferred when they make up so much of the best hypothesis."""
 
 
@@ -50,6 +54,7 @@ class WallSearch:
     hypotheses : what doors, weights and hues each take for walls
     chosen : name of the hypothesis that was taken
     walls : (height, width) bool, the result
+    pieces : its straight stretches, each with a confidence
     """
 
     outer: NDArray[np.bool_]
@@ -57,6 +62,7 @@ class WallSearch:
     hypotheses: tuple[Hypothesis, ...]
     chosen: str
     walls: NDArray[np.bool_]
+    pieces: tuple[WallPiece, ...] = ()
 
 
 def detect_walls(drawing: Drawing, doors: Sequence[Door], method: Method = ROBUST) -> Walls:
@@ -77,37 +83,47 @@ def detect_walls(drawing: Drawing, doors: Sequence[Door], method: Method = ROBUS
 
 
 def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float64], method: Method = ROBUST) -> WallSearch:
-    """`detect_walls`, with everything it saw. `corners` are in working pixels, `doors` in the drawing's."""
-    scaled = scaled_doors(doors, sheet.scale)
+    """`detect_walls`, with everything it saw. `corners` are in working pixels, `doors` in the drawing's own."""
+    scaled = sheet.doors_to_work(doors)
     large = method.component_share > 0
     ink = large_components(sheet.walls, method.component_share * sheet.long_side) if large else sheet.walls
     outer = outer_walls(ink, corners, method.outer_tolerance)
     symbols = door_ink(sheet, scaled) if method.sources == "both" else np.zeros_like(ink)
-    sweeps = sweeps_from(ink & ~symbols, outer if method.sources == "doors" else np.zeros_like(ink), scaled, method)
+    seeds = outer if method.sources == "doors" and scaled else np.zeros_like(ink)  # without a door the search never begins
+    sweeps = sweeps_from(ink & ~symbols, seeds, scaled, method)
     guided = strip_strokes(sweeps[-1], method.strip_share) if method.strip_share else sweeps[-1]
     if method.sources == "doors":
         hypotheses: tuple[Hypothesis, ...] = (Hypothesis("doors", guided, float(guided.any())),)
-        chosen, walls = "doors", guided
+        chosen, walls, worths = "doors", guided, [1.0]
     else:
         width = float(np.median([door.width for door in scaled])) if len(scaled) >= FEWEST_FOR_A_SCALE else None
         sizes = wall_sizes(sheet.long_side, width)
         outlines = large_components(sheet.walls, OUTLINES * sheet.long_side)
         hypotheses = (judged("doors", guided, sizes), *weight_hypotheses(sheet, ink & ~symbols, outlines, sizes))
-        best = choose(hypotheses, scaled, symbols)
+        worths = worths_of(hypotheses, scaled, symbols)
+        best = choose(hypotheses, worths)
         if best.name != "doors":
             best = with_hatching(best, ink & ~symbols, sizes)
-        chosen, walls = best.name, best.walls & ~(symbols & ~guided)
+        joined = best.walls
+        if best.solid:
+            joined = with_heavy_ink(with_others(best, hypotheses, worths, sizes), outlines)
+            joined = without_thin_outside(joined)
+        chosen, walls = best.name, joined & ~(symbols & ~guided)
     if method.bridge_widths and scaled and walls.any():
         longest = method.bridge_widths * float(np.median([door.width for door in scaled]))
-        walls = walls | (bridge_windows(walls, sheet.lines, longest) & ~symbols)
+        walls = walls | (window_bridges(walls, sheet.lines, longest) & ~symbols)
     if method.sources == "both":
+        walls = walls & ~window_panes(thin_cells(outlines, sizes), sizes)
         walls = without_lone_bars(walls, wall_sizes(sheet.long_side))
+    found = sheet.to_input(walls)
+    as_input = tuple(replace(h, walls=sheet.to_input(h.walls)) for h in hypotheses)
     return WallSearch(
         outer=sheet.to_input(outer),
         sweeps=tuple(sheet.to_input(stage) for stage in sweeps),
-        hypotheses=tuple(Hypothesis(h.name, sheet.to_input(h.walls), h.quality, h.solid) for h in hypotheses),
+        hypotheses=as_input,
         chosen=chosen,
-        walls=sheet.to_input(walls),
+        walls=found,
+        pieces=wall_pieces(found, as_input, worths, doors),
     )
 
 
@@ -128,22 +144,25 @@ def sweeps_from(
     return tuple(stages)
 
 
-def choose(hypotheses: Sequence[Hypothesis], doors: Sequence[Door], symbols: NDArray[np.bool_]) -> Hypothesis:
-    """The most wall-like hypothesis in the light of the doors: jambs stand on walls, leaves and arcs are none.
+def worths_of(hypotheses: Sequence[Hypothesis], doors: Sequence[Door], symbols: NDArray[np.bool_]) -> list[float]:
+    """How far to trust each hypothesis, in the light of the doors: jambs stand on walls, leaves and arcs are none."""
+    in_colour = any(h.name.startswith("hue") for h in hypotheses)
+    doors_alone = DOORS_ALONE * (IN_COLOUR if in_colour else 1.0)
+    trust = [doors_alone if h.name == "doors" else 1.0 for h in hypotheses]
+    return [t * h.quality * door_agreement(h.walls, doors, symbols) for t, h in zip(trust, hypotheses, strict=True)]
+
+
+def choose(hypotheses: Sequence[Hypothesis], worths: Sequence[float]) -> Hypothesis:
+    """The most wall-like hypothesis; the heaviest of those that are nearly as good.
 
     Where solid strokes make up most of the best one, they are taken: they need no guess about what lies between lines.
     """
-    in_colour = any(h.name.startswith("hue") for h in hypotheses)
-    doors_alone = DOORS_ALONE * (IN_COLOUR if in_colour else 1.0)
-
-    def worth(hypothesis: Hypothesis) -> float:
-        trust = doors_alone if hypothesis.name == "doors" else 1.0
-        return trust * hypothesis.quality * door_agreement(hypothesis.walls, doors, symbols)
-
-    best = max(hypotheses, key=worth)
-    best = max((h for h in hypotheses if worth(h) >= NEARLY * worth(best)), key=lambda h: h.weight) if best.weight else best
-    solid = [h for h in hypotheses if h.solid and (h.walls & best.walls).sum() >= SOLID_COVERS * best.walls.sum()]
-    return max(solid, key=worth) if solid else best
+    pairs = list(zip(hypotheses, worths, strict=True))
+    best, most = max(pairs, key=lambda pair: pair[1])
+    if best.weight:
+        best = max((h for h, worth in pairs if worth >= NEARLY * most), key=lambda h: h.weight)
+    solid = [(h, w) for h, w in pairs if h.solid and (h.walls & best.walls).sum() >= SOLID_COVERS * best.walls.sum()]
+    return max(solid, key=lambda pair: pair[1])[0] if solid else best
 
 
 def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDArray[np.bool_], reach: int = 4) -> float:

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from priorlab.drawing.faces import hatch_bands, long_runs, thin_cells, tidy, walls_between
 from priorlab.drawing.long_cells import long_cells
-from priorlab.drawing.preprocessing import NO_HUE, Sheet
+from priorlab.drawing.preprocessing import NO_HUE
 from priorlab.drawing.runs import run_lengths
+from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import line_weights, stroke_widths
 from priorlab.drawing.wall_sizes import WallSizes
 

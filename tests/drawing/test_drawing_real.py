@@ -12,7 +12,7 @@ from priorlab.core.drawing import Drawing
 from priorlab.core.score import score_mask
 from priorlab.drawing.extraction import extract_walls
 
-LEAST_IOU = {"cvcfp_c14": 0.80, "cvcfp_c2": 0.76, "cvcfp_c13": 0.78, "cvcfp_c3": 0.79, "mlstruct_f302_crop0": 0.50}
+LEAST_IOU = {"cvcfp_c14": 0.82, "cvcfp_c2": 0.79, "cvcfp_c13": 0.79, "cvcfp_c3": 0.82, "mlstruct_f302_crop0": 0.56}
 CLUTTER = ["lab_intel", "lab_intel_furnitures", "lab_ipa", "lab_ipa_furnitures", "office_a", "office_a_furnitures"]
 
 

@@ -1,0 +1,122 @@
+"""Walls of several hypotheses together: what one misses, another may add, if it looks like wall where it is added.
+
+Styles mix: an outer ring is hatched and the inner walls are filled, a wing stands askew, partitions are thin. An added piece
+must be slender, must not stand along a wall as furniture does, must lie inside the building and must meet walls at two places.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.drawing.runs import run_lengths
+from priorlab.drawing.strokes import common_thickness, opened
+from priorlab.drawing.wall_sizes import WallSizes
+from priorlab.drawing.weight import SLENDER, Hypothesis
+
+AS_WORTHY = 0.6
+"""Only hypotheses that are worth so much of the best one add to it."""
+
+AS_THICK = 0.6
+"""Solid ink so much as thick as walls are is wall wherever it hangs together with them."""
+
+TELLING = 4
+"""Below so many pixels thin and thick are not told apart."""
+
+THIN = 0.35
+"""Outside the building, strokes thinner than this share of the walls' thickness are none."""
+
+INSIDE = 0.8
+"""So much of an added piece lies inside the building."""
+
+ALONGSIDE = 0.4
+"""No more of it may lie close along a wall."""
+
+
+def with_heavy_ink(walls: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Solid walls with the ink as thick as they are that their lines lead to: diagonal wings, stubs, piers.
+
+    >>> ink = np.zeros((60, 60), dtype=bool); ink[10:18, 5:50] = True; ink[18:50, 30] = True; ink[42:50, 26:34] = True
+    >>> walls = ink.copy(); walls[18:] = False
+    >>> bool(with_heavy_ink(walls, ink)[46, 30]), bool(with_heavy_ink(walls, ink)[25, 30])
+    (True, False)
+    """
+    side = max(TELLING, int(np.ceil(AS_THICK * common_thickness(walls))))
+    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side | 1, side | 1))
+    thick = cv2.morphologyEx(np.pad(ink, side).astype(np.uint8), cv2.MORPH_OPEN, disc)[side:-side, side:-side].astype(bool)
+    n_parts, parts = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
+    held = np.bincount(parts[walls & ink], minlength=n_parts) > 0
+    held[0] = False
+    return walls | (thick & held[parts])
+
+
+def without_thin_outside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Solid walls without the thin strokes outside what the thick ones enclose: terraces, title blocks, section marks.
+
+    Nothing is taken off where thick walls do not make up most of all, or enclose nothing.
+    """
+    side = int(np.ceil(THIN * common_thickness(walls)))
+    core = opened(walls, side)
+    if side < TELLING or 2 * core.sum() < walls.sum():
+        return walls
+    n_parts, parts = cv2.connectedComponents((walls & ~core).astype(np.uint8), connectivity=8)
+    area = np.bincount(parts.ravel(), minlength=n_parts)
+    inside = np.bincount(parts[inside_of(core)], minlength=n_parts)
+    outside = (inside < (1 - INSIDE) * area) & (area >= side**2)
+    outside[0] = False
+    return walls & ~outside[parts]
+
+
+def with_others(
+    best: Hypothesis, hypotheses: Sequence[Hypothesis], worths: Sequence[float], sizes: WallSizes
+) -> NDArray[np.bool_]:
+    """Solid walls of the best hypothesis, and the solid pieces of the others that belong to them, the worthiest first."""
+    walls = best.walls
+    least = AS_WORTHY * max(worths)
+    order = sorted(range(len(worths)), key=lambda k: -worths[k])
+    for k in order:
+        if worths[k] >= least and hypotheses[k].solid and hypotheses[k] is not best:
+            walls = walls | _belonging(hypotheses[k].walls, walls, sizes)
+    return walls
+
+
+def inside_of(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Where walls lie to the left and to the right, above and below.
+
+    >>> inside_of(np.array([[0, 1, 0], [1, 0, 1], [0, 1, 0]], dtype=bool)).astype(int).tolist()
+    [[0, 1, 0], [1, 1, 1], [0, 1, 0]]
+    """
+    seen = [np.maximum.accumulate(walls, axis=axis) for axis in (0, 1)]
+    seen += [np.flip(np.maximum.accumulate(np.flip(walls, axis), axis=axis), axis) for axis in (0, 1)]
+    return np.logical_and.reduce(seen)
+
+
+def _belonging(more: NDArray[np.bool_], walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
+    """Pieces of `more` beside `walls` that belong to the building."""
+    rim = cv2.dilate(walls.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
+    extra = more & ~rim
+    n_parts, parts, stats, _ = cv2.connectedComponentsWithStats(extra.astype(np.uint8), connectivity=8)
+    inside = inside_of(walls)
+    reach = max(4, round(sizes.thickness / 2))
+    close = cv2.dilate(walls.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)).astype(bool)
+    thin = np.minimum(run_lengths(extra, 0), run_lengths(extra, 1))
+    long = np.maximum(run_lengths(extra, 0), run_lengths(extra, 1))
+    found = np.zeros_like(walls)
+    for k in np.flatnonzero(stats[1:, cv2.CC_STAT_WIDTH : cv2.CC_STAT_HEIGHT + 1].max(axis=1) >= sizes.piece_length) + 1:
+        x, y, width, height, area = stats[k]
+        top, left = max(0, y - 3), max(0, x - 3)
+        window = np.s_[top : y + height + 3, left : x + width + 3]
+        part = parts[window] == k
+        slender = (long[window] >= SLENDER * thin[window])[part].mean()
+        if slender < 0.6 or inside[window][part].mean() < INSIDE or close[window][part].mean() > ALONGSIDE:
+            continue
+        near = cv2.dilate(part.astype(np.uint8), np.ones((7, 7), np.uint8)).astype(bool) & walls[window]
+        if cv2.connectedComponents(near.astype(np.uint8), connectivity=8)[0] - 1 >= 2:
+            found[window] |= part
+            found[window] |= (
+                more[window] & rim[window] & cv2.dilate(part.astype(np.uint8), np.ones((5, 5), np.uint8)).astype(bool)
+            )
+    return found
