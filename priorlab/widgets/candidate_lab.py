@@ -74,6 +74,7 @@ class CandidateLab(Lab):
         rows += [(reading.name, _asked(reading)) for reading in shown.readings]
         looked_at = zip(shown.pixels.items(), NAMES, strict=False)
         rows += [(name, f"{len(points)} points, {colour}") for (name, points), colour in looked_at]
+        rows.append(("<b>all tests</b>", ""))
         for result in self.results:
             here = " &larr;" if result is shown else ""
             rows.append((f"{'' if result.asked else '(after the end) '}{result.test}", f"{_word(result)}{here}"))

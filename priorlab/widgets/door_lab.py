@@ -50,7 +50,7 @@ class DoorLab(Lab):
     ----------
     drawing : a small one, so that a move answers at once
     truth : whose doors count as right
-    zoom : screen pixels per pixel of the drawing
+    width : of the drawing on the screen, CSS pixels
 
     Attributes
     ----------
@@ -61,8 +61,9 @@ class DoorLab(Lab):
     right : how many of them are true doors
     """
 
-    def __init__(self, drawing: Drawing, truth: Truth, zoom: int = 2) -> None:
-        self._drawing, self._truth, self._zoom = drawing, truth, zoom
+    def __init__(self, drawing: Drawing, truth: Truth, width: int = 470) -> None:
+        self._drawing, self._truth = drawing, truth
+        self._zoom = max(1, -(-width // drawing.shape[1]))
         self._sheet = prepare(drawing, THESIS)
         start = AS_PRINTED
         self.n_corners = Slider("corners", start["n_corners"], 10, 200, 10, "the budget: the strongest so many (fig. 3.9)")
@@ -76,7 +77,7 @@ class DoorLab(Lab):
             "keep the best", start["keep_best"], 0, 1, 1, "0: of overlapping ones the first stays; 1: the best"
         )
         self.drop_outer = Slider("drop on outer walls", start["drop_outer"], 0, 1, 1, "1: as the text, third check")
-        super().__init__({name: getattr(self, name) for name in AS_PRINTED}, PRESETS, [Picture(), Picture()])
+        super().__init__({name: getattr(self, name) for name in AS_PRINTED}, PRESETS, [Picture(width=width), Picture()])
 
     def refresh(self) -> None:
         """Corners, search, two pictures."""

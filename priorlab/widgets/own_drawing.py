@@ -41,7 +41,9 @@ class OwnDrawing(ipywidgets.VBox):
     def __init__(self, bundled: Drawing, width: int = 430) -> None:
         self._source: Any = bundled
         self._name = bundled.name
-        self.upload = ipywidgets.FileUpload(accept="image/*", multiple=False, description="upload an image")
+        self.upload = ipywidgets.FileUpload(
+            accept="image/*", multiple=False, description="upload an image", layout={"width": "auto"}
+        )
         self.path = ipywidgets.Text(
             placeholder="or the path of an image, then Enter", continuous_update=False, layout=ipywidgets.Layout(width="24em")
         )
@@ -84,7 +86,7 @@ class OwnDrawing(ipywidgets.VBox):
         self.result: OwnResult = extract_own(self._source, self._name, METHODS[self.method.value], self._working)
         self.progress.value = _status("done" if self.found is not None else "this file could not be read")
         notes = [("&bull;", escape(sentence)) for sentence in self.says] or [("&bull;", "nothing to note")]
-        self.readout.value = table([*self._numbers(), *notes], caption=escape(str(self)))
+        self.readout.value = table([*self._numbers(), *notes], caption=escape(self._caption()))
         if self.found is None:
             for picture in self.pictures:
                 picture.show(np.full((40, 120), 255, dtype=np.uint8), "nothing to show: the file could not be read")
@@ -96,15 +98,10 @@ class OwnDrawing(ipywidgets.VBox):
         walls = Canvas(self.found.drawing.grey, 1, faint=0.75)
         walls.tint(self.found.walls.mask, (0, 0, 0))
         walls.tint(self.found.walls.mask & (self.found.confidence < SURE), BLUE)
-        self.pictures[1].show(walls.picture, f"walls, black; blue: those with a confidence below {SURE:g}. {self}")
+        self.pictures[1].show(walls.picture, f"walls, black; blue: those with a confidence below {SURE:g}. {self._caption()}")
 
     def __repr__(self) -> str:
-        if self.found is None:
-            return f"OwnDrawing(nothing read: {self.says[0]})"
-        height, width = self.found.drawing.shape
-        return f"OwnDrawing({self.found.drawing.name}, {width} x {height} px, {self.method.value})"
-
-    __str__ = __repr__
+        return f"OwnDrawing({self._caption() if self.found is not None else f'nothing read: {self.says[0]}'})"
 
     def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
         """The live widget, one line of text, and the walls for readers without a kernel."""
@@ -112,6 +109,13 @@ class OwnDrawing(ipywidgets.VBox):
         bundle["text/plain"] = repr(self)
         bundle["image/png"] = base64.b64encode(self.pictures[1].image).decode()
         return bundle
+
+    def _caption(self) -> str:
+        """Which drawing, how large, how read."""
+        if self.found is None:
+            return "nothing read"
+        height, width = self.found.drawing.shape
+        return f"{self.found.drawing.name}, {width} x {height} px, {self.method.value}"
 
     def _numbers(self) -> list[tuple[str, str]]:
         """The numbers under the pictures."""
