@@ -208,8 +208,7 @@ def _row(plan: MarkedPlan, title: str, reader: Reader, darkness: int | None) -> 
 
 def ranked_by(found: Found, truth: Truth) -> Ranked | None:
     """The detected pixels by confidence, if what was found has one."""
-    confidence = getattr(found, "confidence", None)
-    return None if confidence is None else rank_pixels(confidence, mask_of(found), truth)
+    return rank_pixels(found.confidence, found.walls.mask, truth) if isinstance(found, Extraction) else None
 
 
 def near_scores(detected: NDArray[np.bool_], truth: Truth, tolerance: float) -> tuple[float, float]:
