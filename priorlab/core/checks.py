@@ -6,13 +6,37 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 
+def check_number(name: str, value: float) -> float:
+    """Return `value` as a finite float, or say that it is none.
+
+    >>> check_number("lam", 1)
+    1.0
+    """
+    number = as_float(name, value)
+    if not np.isfinite(number):
+        raise ValueError(f"{name} must be a finite number, got {number:g}")
+    return number
+
+
+def check_whole(name: str, value: float, least: int = 1) -> int:
+    """Return `value` as an int, or say that it is not a whole number of at least `least`.
+
+    >>> check_whole("repeats", 3.0)
+    3
+    """
+    number = as_float(name, value)
+    if not (number.is_integer() and number >= least):
+        raise ValueError(f"{name} must be a whole number of at least {least}, got {number:g}")
+    return int(number)
+
+
 def check_probability(name: str, p: float) -> float:
     """Return `p` as a float, or say that it does not lie strictly between 0 and 1.
 
     >>> check_probability("p_free", 0.9)
     0.9
     """
-    p = float(p)
+    p = as_float(name, p)
     if not 0.0 < p < 1.0:
         raise ValueError(f"{name} must lie strictly between 0 and 1, got {p:g}")
     return p
@@ -20,7 +44,7 @@ def check_probability(name: str, p: float) -> float:
 
 def check_positive(name: str, value: float) -> float:
     """Return `value` as a float, or say that it is not a finite positive number."""
-    value = float(value)
+    value = as_float(name, value)
     if not (np.isfinite(value) and value > 0):
         raise ValueError(f"{name} must be a finite number above 0, got {value:g}")
     return value
@@ -53,3 +77,13 @@ def check_poses(name: str, poses: ArrayLike) -> NDArray[np.float64]:
         row = int(np.flatnonzero(~np.isfinite(array).all(axis=1))[0])
         raise ValueError(f"{name} must be finite numbers, got {array[row].tolist()} in row {row}")
     return array
+
+
+def as_float(name: str, value: object) -> float:
+    """Return `value` as a float, nan included, or say that it is no number; text is none, whatever number it spells."""
+    if isinstance(value, str | bytes):
+        raise ValueError(f"{name} must be a number, got {value!r}")
+    try:
+        return float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} must be a number, got {value!r}") from None

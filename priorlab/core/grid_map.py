@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import as_float
 from priorlab.core.grid import Grid
 from priorlab.core.log_odds import detected_as_wall, probability
 
@@ -32,10 +33,10 @@ class Prior:
 
     def __post_init__(self) -> None:
         for name in ("p_wall", "p_space"):
-            p = getattr(self, name)
-            if not 0.0 < p * self.factor < 1.0:
+            p, factor = as_float(name, getattr(self, name)), as_float("factor", self.factor)
+            if not 0.0 < p * factor < 1.0:
                 raise ValueError(
-                    f"the effective {name} must lie strictly between 0 and 1, got {p:g} x {self.factor:g} = {p * self.factor:g}"
+                    f"the effective {name} must lie strictly between 0 and 1, got {p:g} x {factor:g} = {p * factor:g}"
                 )
 
     @classmethod

@@ -8,6 +8,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from priorlab.core.checks import as_float
+
 DETECTED_WALL = 0.2
 """A cell counts as a detected wall when P(empty) is at most this (eq. 4.18; chapter 6 scores at 0.5)."""
 
@@ -68,6 +70,7 @@ def detection_limit(threshold: float = DETECTED_WALL) -> float:
     >>> detection_limit(0.5) < 0
     True
     """
+    threshold = as_float("threshold", threshold)
     if not 0.0 < threshold <= 0.5:
         raise ValueError(f"threshold must lie above 0 and be at most 0.5, got {threshold:g}")
     return min(float(log_odds(threshold)) + TIE, -TIE)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.building import Truth
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import check_number, check_positive, check_whole
 from priorlab.core.grid import Grid
 from priorlab.core.grid_map import GridMap
 from priorlab.core.log_odds import DETECTED_WALL, detection_limit
@@ -98,7 +98,7 @@ def score_over_time(
     truth : walls and don't-care pixels
     lam, threshold, beta : as in `update_map` and `score_map`
     every : report after every so many readings, and after the last
-    progress : called with the readings done and the readings to do
+    progress : called with the readings done and the readings to do; where they are looked through first, each counts twice
 
     Raises
     ------
@@ -110,9 +110,11 @@ def score_over_time(
     OverruledSensorWarning
         When a prior is so sure that a confirming reading carries no information (eq. 2.22).
     """
-    grid = _check_priors(prior_maps, truth, lam, every)
+    grid = _check_priors(prior_maps, truth)
+    lam, every = check_number("lam", lam), check_whole("every", every)
     check_positive("beta", beta)
-    timeline = evidence_over_time(readings, grid) if isinstance(readings, Readings) else readings
+    looked_through, scored = _two_passes(progress) if isinstance(readings, Readings) else (None, progress)
+    timeline = evidence_over_time(readings, grid, looked_through) if isinstance(readings, Readings) else readings
     if timeline.grid != grid:
         raise ValueError(f"map and evidence must lie on one grid, got {grid} and {timeline.grid}")
     for prior_map in prior_maps.values():
@@ -127,7 +129,7 @@ def score_over_time(
     new_cells = np.zeros(len(timeline) + 1)
     for name, l_0 in starts.items():
         changes[name][:, 0] = pixels[:, l_0 <= limit].sum(axis=1)
-    for looks in _looks_in_order(timeline, progress):
+    for looks in _looks_in_order(timeline, scored):
         new_cells += np.bincount(looks.step, weights=looks.n == 0, minlength=len(new_cells))
         for name, l_0 in starts.items():
             changes[name] += _changed_pixels(looks, l_0[looks.cell], lam, limit, pixels, len(new_cells))
@@ -143,6 +145,13 @@ def score_over_time(
         seen=np.cumsum(new_cells)[steps] / pixels.shape[1],
         beta=beta,
     )
+
+
+def _two_passes(progress: Progress | None) -> tuple[Progress | None, Progress | None]:
+    """Progress for the first and for the second time that all readings are gone through."""
+    if progress is None:
+        return None, None
+    return lambda done, to_do: progress(done, 2 * to_do), lambda done, to_do: progress(to_do + done, 2 * to_do)
 
 
 class _Looks(NamedTuple):
@@ -193,7 +202,7 @@ def _changed_pixels(
     return np.stack([np.bincount(step, weights=sign * kind[cell], minlength=n_steps) for kind in pixels]).astype(np.int64)
 
 
-def _check_priors(prior_maps: Mapping[str, GridMap], truth: Truth, lam: float, every: int) -> Grid:
+def _check_priors(prior_maps: Mapping[str, GridMap], truth: Truth) -> Grid:
     """The grid of all maps, or a sentence."""
     if not prior_maps:
         raise ValueError("prior_maps must hold at least one prior map, got none")
@@ -203,8 +212,4 @@ def _check_priors(prior_maps: Mapping[str, GridMap], truth: Truth, lam: float, e
             raise ValueError(f"prior_maps must lie on one grid, got {grid} and, for {name!r}, {prior_map.grid}")
     if grid.image_shape != truth.shape:
         raise ValueError(f"map and truth must have one shape, got {grid.image_shape} and {truth.shape}")
-    if not np.isfinite(lam):
-        raise ValueError(f"lam must be a finite number, got {lam:g}")
-    if every < 1 or every != int(every):
-        raise ValueError(f"every must be a whole number of at least 1, got {every}")
     return grid

@@ -42,23 +42,27 @@ def overruled_readings(prior: Prior, p_free: float, p_occupied: float, lam: floa
     True
     >>> overruled_readings(Prior(0.2, 1.0), p_free=0.8, p_occupied=0.1)
     'the effective p_space 0.9 must lie below the p_free 0.8 of the sensor (eq. 2.22): each free look makes space less free'
+    >>> overruled_readings(Prior(0.2, 1.0), p_free=0.7, p_occupied=0.1, lam=0.5).split(":")[0]
+    '0.5 times the log odds of the effective p_space 0.9 must lie below those of the p_free 0.7 of the sensor (eq. 2.22)'
     """
     if not is_overruled(prior.effective_p_wall, prior.effective_p_space, p_free, p_occupied, lam):
         return None
     space, wall = log_odds([prior.effective_p_space, prior.effective_p_wall])
     free, occupied = log_odds([p_free, p_occupied])
-    faults = []
+    faults, what_counts, those = [], "the effective", ""
+    if lam != 1:  # the sensor's own number is the limit for lam = 1 alone
+        what_counts, those = f"{lam:g} times the log odds of the effective", "those of "
     if lam * space >= free - TIE:
         what = "says nothing" if lam * space <= free + TIE else "makes space less free"
         faults.append(
-            f"the effective p_space {prior.effective_p_space:.3g} must lie below the p_free {p_free:g} of the sensor "
+            f"{what_counts} p_space {prior.effective_p_space:.3g} must lie below {those}the p_free {p_free:g} of the sensor "
             f"(eq. 2.22): each free look {what}"
         )
     if lam * wall <= occupied + TIE:
         what = "says nothing" if lam * wall >= occupied - TIE else "makes walls less of a wall"
         faults.append(
-            f"the effective p_wall {prior.effective_p_wall:.3g} must lie above the p_occupied {p_occupied:g} of the sensor "
-            f"(eq. 2.22): each wall look {what}"
+            f"{what_counts} p_wall {prior.effective_p_wall:.3g} must lie above {those}the p_occupied {p_occupied:g} of the "
+            f"sensor (eq. 2.22): each wall look {what}"
         )
     return "; ".join(faults)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_whole
 from priorlab.core.grid import Grid
 from priorlab.core.log_odds import log_odds
 from priorlab.core.progress import Progress
@@ -47,7 +48,8 @@ class EvidenceOverTime:
         ValueError
             When there are not so many readings.
         """
-        if not 0 <= step <= len(self):
+        step = check_whole("step", step, least=0)
+        if step > len(self):
             raise ValueError(f"step must lie between 0 and the {len(self)} readings, got {step}")
         end, shape = int(self.starts[step]), self.grid.shape
         n_cells = shape[0] * shape[1]

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-
+from priorlab.core.checks import check_number
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import Evidence
 from priorlab.mapping.overruled import warn_when_overruled
@@ -36,6 +35,7 @@ def update_map(prior_map: GridMap, evidence: Evidence, lam: float = 1.0) -> Grid
     OverruledSensorWarning
         When the prior is so sure that a confirming reading carries no information (eq. 2.22).
 
+    >>> import numpy as np
     >>> from priorlab.core.grid import Grid
     >>> from priorlab.core.log_odds import log_odds
     >>> from priorlab.core.sensor import RangeSensor
@@ -48,9 +48,7 @@ def update_map(prior_map: GridMap, evidence: Evidence, lam: float = 1.0) -> Grid
     """
     if prior_map.grid != evidence.grid:
         raise ValueError(f"map and evidence must lie on one grid, got {prior_map.grid} and {evidence.grid}")
-    lam = float(lam)
-    if not np.isfinite(lam):
-        raise ValueError(f"lam must be a finite number, got {lam:g}")
+    lam = check_number("lam", lam)
     warn_when_overruled(prior_map.prior, evidence.sensor.p_free, evidence.sensor.p_occupied, lam)
     l_0, total, looks = prior_map.log_odds, evidence.total, evidence.looks
     return GridMap(l_0 + total - lam * looks * l_0, prior_map.grid, prior_map.prior)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_rng
+from priorlab.core.checks import check_rng, check_whole
 from priorlab.optimize.front import Front
 from priorlab.optimize.plateaus import Plateau, Range
 
@@ -101,8 +101,7 @@ def cluster(front: Front | Sequence[Front], n_clusters: int = 3, *, rng: np.rand
     >>> cluster(front, n_clusters=2, rng=np.random.default_rng(0))
     Clusters(2 at (0.19, 0.85); 2 at (0.95, 0.65))
     """
-    if n_clusters < 1:
-        raise ValueError(f"n_clusters must be at least 1, got {n_clusters}")
+    n_clusters = check_whole("n_clusters", n_clusters)
     rng = check_rng(rng)
     fronts = [front] if isinstance(front, Front) else list(front)
     priors = np.concatenate([np.empty((0, 2)), *(one.priors for one in fronts)])

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.building import Truth
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import check_number, check_positive
 from priorlab.core.drawing import Walls
 from priorlab.core.grid_map import GridMap, Prior
 from priorlab.core.log_odds import DETECTED_WALL, detection_limit, log_odds
@@ -62,8 +62,7 @@ class Experiment:
         if len(set(shapes.values())) > 1:
             told = ", ".join(f"{name} {width} x {height}" for name, (height, width) in shapes.items())
             raise ValueError(f"walls, evidence and truth must lie on one drawing, got {told} pixels")
-        if not np.isfinite(self.lam):
-            raise ValueError(f"lam must be a finite number, got {self.lam:g}")
+        check_number("lam", self.lam)
         detection_limit(self.threshold)  # a sentence when it is none
         check_positive("beta", self.beta)
         check_positive("factor", self.factor)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from priorlab.core.checks import check_number
 from priorlab.optimize.plateaus import Plateau
 
 BOUNDS = (0.1, 1.0)
@@ -28,6 +29,14 @@ def bounds_for(factor: float) -> tuple[float, float]:
     if factor < 1:
         return BOUNDS
     return round(0.9 * BOUNDS[0] / factor, 12), round(0.9 * BOUNDS[1] / factor, 12)
+
+
+def check_floor(floor: float) -> float:
+    """The floor of precision and recall, or a sentence when it is none."""
+    floor = check_number("floor", floor)
+    if not 0 <= floor < 1:
+        raise ValueError(f"floor must lie in [0, 1), got {floor:g}")
+    return floor
 
 
 @dataclass(frozen=True, eq=False)

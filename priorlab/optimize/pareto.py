@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_rng
+from priorlab.core.checks import check_rng, check_whole
 from priorlab.core.measures import share
 from priorlab.core.progress import Progress
 from priorlab.optimize.experiment import Experiment
-from priorlab.optimize.front import FLOOR, Front, non_dominated
+from priorlab.optimize.front import FLOOR, Front, check_floor, non_dominated
 from priorlab.optimize.sweep import Sweep
 
 _LEAST = 1e-6
@@ -48,9 +48,8 @@ def pareto_front(
     -------
     Front, one prior for each pair of objectives; empty, with a sentence in its note, when none was found.
     """
-    if population < 2 or generations < 1:
-        raise ValueError(f"the search must have a population of 2 and 1 generation or more, got {population} and {generations}")
-    rng = check_rng(rng)
+    population, generations = check_whole("population", population, least=2), check_whole("generations", generations)
+    floor, rng = check_floor(floor), check_rng(rng)
     sweep = experiment.sweep()
     bounds = sweep.checked(bounds)
     first = _first_population(rng, population, bounds)

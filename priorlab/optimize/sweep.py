@@ -17,10 +17,13 @@ from priorlab.core.score import Score
 from priorlab.core.sensor import RangeSensor
 from priorlab.mapping.overruled import is_overruled
 from priorlab.optimize.exact_front import Best, best_priors, exact_front
-from priorlab.optimize.front import FLOOR, Front, bounds_for
+from priorlab.optimize.front import FLOOR, Front, bounds_for, check_floor
 from priorlab.optimize.plateaus import Pieces, pieces_of
 from priorlab.optimize.steps import FLAT, Steps
 from priorlab.optimize.table import Table
+
+MOST_PAIRS = 50_000_000
+"""A table of more pairs fits into no memory of 2 GB."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +88,8 @@ class Sweep:
         """
         walls = _spread(p_wall, self.bounds)
         spaces = walls if p_space is None else _spread(p_space, self.bounds)
+        if walls.size * spaces.size > MOST_PAIRS:
+            raise ValueError(f"a grid must have at most {MOST_PAIRS:,} pairs, got {walls.size:,} x {spaces.size:,}")
         tp_wall, fp_wall = self.wall.counts(self._prior_log_odds("p_wall", walls))
         tp_space, fp_space = self.space.counts(self._prior_log_odds("p_space", spaces))
         # counts of pixels are exact in float64, and quicker to divide
@@ -134,8 +139,7 @@ class Sweep:
         -------
         Front with the ranges of every point; empty, with a sentence in its note, when no prior reaches the floor.
         """
-        if not 0 <= floor < 1:
-            raise ValueError(f"floor must lie in [0, 1), got {floor:g}")
+        floor = check_floor(floor)
         front = exact_front(*self._pieces(bounds), self.positives, floor)
         return replace(front, overruled=self.overruled(front.p_wall, front.p_space))
 
@@ -146,9 +150,10 @@ class Sweep:
 
     def checked(self, bounds: tuple[float, float] | None) -> tuple[float, float]:
         """The bounds, by default `self.bounds`, or a sentence when they are no two priors."""
-        low, high = bounds or self.bounds
-        if not low < high:
-            raise ValueError(f"bounds must be a lower and a higher P(empty), got {low:g} and {high:g}")
+        pair = self.bounds if bounds is None else tuple(bounds)
+        if len(pair) != 2 or not pair[0] < pair[1]:
+            raise ValueError(f"bounds must be a lower and a higher P(empty), got {' and '.join(map(str, pair))}")
+        low, high = pair
         self._prior_log_odds("bounds", (low, high))
         return low, high
 

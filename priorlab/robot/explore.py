@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.building import Truth, World
-from priorlab.core.checks import check_poses
+from priorlab.core.checks import check_poses, check_whole
 from priorlab.core.grid import Grid
 from priorlab.core.progress import Progress
 from priorlab.core.readings import Readings
@@ -62,8 +62,7 @@ def explore(
     """
     sensor = sensor or RangeSensor()
     poses = _check_survey(building, survey)
-    if repeats < 1 or repeats != int(repeats):
-        raise ValueError(f"repeats must be a whole number of at least 1, got {repeats}")
+    repeats = check_whole("repeats", repeats)
     bearings = bearings_of(sensor)
     angles = poses[:, 2, None] + bearings
     origins = np.repeat(poses[:, :2], len(bearings), axis=0)

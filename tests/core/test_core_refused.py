@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import priorlab as pl
-from priorlab.core.checks import check_rng
+from priorlab.core.checks import check_rng, check_whole
 
 GRID = pl.Grid((2, 2))
 
@@ -25,6 +25,17 @@ GRID = pl.Grid((2, 2))
         (lambda: pl.Scanner(range_noise_m=float("nan")), "range_noise_m must be a finite number"),
         (lambda: pl.Scanner(n_beams=2.5), "n_beams must be a whole number"),
         (lambda: pl.Grid((1000, 1000), 0.01), "cell_size must leave at most 200,000,000 cells"),
+        (lambda: pl.RangeSensor(max_range="far"), "max_range must be a number, got 'far'"),
+        (lambda: pl.RangeSensor(p_free=None), "p_free must be a number, got None"),
+        (lambda: pl.RangeSensor(max_range="20"), "max_range must be a number, got '20'"),
+        (lambda: pl.Grid((9, 9), "big"), "cell_size must be a number, got 'big'"),
+        (lambda: pl.Prior("0.2", 0.9), "p_wall must be a number, got '0.2'"),
+        (
+            lambda: pl.Prior(0.2, 0.9, factor=float("nan")),
+            "the effective p_wall must lie strictly between 0 and 1, got 0.2 x nan",
+        ),
+        (lambda: check_whole("repeats", 1.5), "repeats must be a whole number of at least 1, got 1.5"),
+        (lambda: check_whole("repeats", float("inf")), "repeats must be a whole number of at least 1, got inf"),
         (lambda: check_rng(0), "rng must be a numpy Generator.*got 0"),
         (lambda: check_rng(None), "rng must be a numpy Generator.*got None"),
     ],

@@ -113,7 +113,7 @@ def test_evidence_over_time_takes_readings_in_batches_as_one(small_survey, monke
     assert (at_once.starts == in_batches.starts).all() and (at_once.at(5).total == in_batches.at(5).total).all()
 
 
-@pytest.mark.parametrize("work", ["gather", "timeline", "score"])
+@pytest.mark.parametrize("work", ["gather", "timeline", "score", "both"])
 def test_long_work_says_how_far_it_is_and_can_be_interrupted(small_survey, monkeypatch, work):
     monkeypatch.setattr("priorlab.robot.inverse_sensor_model.CANDIDATES_AT_ONCE", 300)
     monkeypatch.setattr("priorlab.mapping.over_time.LOOKS_AT_ONCE", 20)
@@ -125,10 +125,11 @@ def test_long_work_says_how_far_it_is_and_can_be_interrupted(small_survey, monke
         "gather": lambda tell: gather_evidence(readings, grid, tell),
         "timeline": lambda tell: evidence_over_time(readings, grid, tell),
         "score": lambda tell: score_over_time(timeline, maps, truth, progress=tell),
+        "both": lambda tell: score_over_time(readings, maps, truth, progress=tell),
     }[work]
     told = []
     start(lambda done, to_do: told.append((done, to_do)))
-    assert len(told) > 1 and told == sorted(told) and told[-1] == (8, 8)
+    assert len(told) > 1 and told == sorted(told) and told[-1] == ((16, 16) if work == "both" else (8, 8))
 
     def interrupt(done, to_do):
         raise KeyboardInterrupt
@@ -164,6 +165,9 @@ def test_over_time_says_what_is_wrong(small_survey):
             score_over_time(**{"readings": readings, "prior_maps": maps, "truth": truth, **wrong})
     with pytest.raises(ValueError, match="step must lie between 0 and the 8 readings, got 9"):
         evidence_over_time(readings, maps["none"].grid).at(9)
+    with pytest.raises(ValueError, match="step must be a whole number of at least 0, got 1.5"):
+        evidence_over_time(readings, maps["none"].grid).at(1.5)
+    assert score_over_time(readings, maps, truth, every=4.0).steps.tolist() == [0, 4, 8]
     off = Readings([[1, 1, 0]], [[3.0]], [0.0], RangeSensor(), (5, 8))
     with pytest.raises(ValueError, match="readings and grid must have one image shape"):
         score_over_time(

@@ -17,7 +17,7 @@ from priorlab.core.grid_map import GridMap, Prior
 from priorlab.core.readings import Evidence
 from priorlab.core.sensor import RangeSensor
 from priorlab.mapping.evidence import gather_evidence
-from priorlab.mapping.overruled import OverruledSensorWarning, overruled_readings
+from priorlab.mapping.overruled import OverruledSensorWarning, is_overruled, overruled_readings
 from priorlab.mapping.prior import build_prior_map
 from priorlab.mapping.update import update_map
 
@@ -171,6 +171,23 @@ def test_overruled_readings_is_equation_2_22(p_wall, p_space, p_free, p_occupied
     gaps = p_free - prior.effective_p_space, prior.effective_p_wall - p_occupied
     if min(map(abs, gaps)) > 1e-6:
         assert (overruled_readings(prior, p_free, p_occupied) is None) == (min(gaps) > 0)
+
+
+@pytest.mark.parametrize(("p_wall", "p_space"), [(0.1, 0.5), (0.5, 0.9)])
+def test_a_prior_as_sure_as_the_sensor_breaks_eq_2_22(p_wall, p_space):
+    """On the border a reading that agrees adds exactly nothing."""
+    prior = Prior(p_wall, p_space, factor=1.0)
+    assert "says nothing" in overruled_readings(prior, 0.9, 0.1)
+    assert is_overruled(p_wall, p_space, 0.9, 0.1)
+
+
+@pytest.mark.parametrize(("lam", "broken"), [(0.5, False), (0.7, True), (1.0, True)])
+def test_the_sentence_of_eq_2_22_is_true_for_every_lam(lam, broken):
+    """With lam = 0.5 a p_space above p_free is no fault yet, so the sentence must not say that it has to lie below."""
+    told = overruled_readings(Prior(0.5, 0.9, factor=1.0), 0.8, 0.1, lam)
+    assert (lam * math.log(9) >= math.log(4)) == broken == (told is not None)
+    if told:
+        assert told.startswith("the effective p_space 0.9" if lam == 1 else "0.7 times the log odds of the effective p_space 0.9")
 
 
 def test_update_map_says_what_is_wrong(strip):

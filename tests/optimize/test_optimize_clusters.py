@@ -62,7 +62,7 @@ def test_cluster_of_empty_fronts_is_empty_and_says_so():
     groups = cluster([front_of([]), front_of([])], rng=np.random.default_rng(0))
     assert len(groups) == 0 and groups.ranges == () and "got 3 for 0" in groups.note
     assert len(cluster([], rng=np.random.default_rng(0))) == 0
-    with pytest.raises(ValueError, match="n_clusters must be at least 1, got 0"):
+    with pytest.raises(ValueError, match="n_clusters must be a whole number of at least 1, got 0"):
         cluster(THREE, 0, rng=np.random.default_rng(0))
 
 

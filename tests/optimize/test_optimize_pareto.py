@@ -107,8 +107,21 @@ def test_pareto_front_with_another_factor_searches_the_same_effective_priors(fla
 
 
 def test_pareto_front_refuses_a_search_of_nobody(flat):
-    with pytest.raises(ValueError, match="a population of 2 and 1 generation or more, got 1 and 40"):
+    with pytest.raises(ValueError, match="population must be a whole number of at least 2, got 1"):
         pareto_front(flat, np.random.default_rng(0), population=1)
+    with pytest.raises(ValueError, match="population must be a whole number of at least 2, got 10.5"):
+        pareto_front(flat, np.random.default_rng(0), population=10.5)
+    with pytest.raises(ValueError, match="generations must be a whole number of at least 1, got 0"):
+        pareto_front(flat, np.random.default_rng(0), generations=0)
+
+
+@pytest.mark.parametrize(
+    ("floor", "got"), [(float("nan"), "got nan"), (2, r"in \[0, 1\), got 2"), (-0.1, r"in \[0, 1\), got -0.1")]
+)
+def test_pareto_front_refuses_a_floor_that_the_exact_front_refuses(flat, floor, got):
+    for search in (lambda: pareto_front(flat, np.random.default_rng(0), floor=floor), lambda: flat.sweep().front(floor=floor)):
+        with pytest.raises(ValueError, match=f"floor must .*{got}"):
+            search()
 
 
 def test_optimize_loads_pymoo_and_scikit_learn_only_when_used():

@@ -187,6 +187,18 @@ def test_overruled_priors_of_the_thesis_grid_are_those_of_eq_2_22(small_case):
     assert "* breaks eq. 2.22" in strong._repr_html_() and strong._repr_html_().count("*</td>") == 19
 
 
+@pytest.mark.parametrize("factor", [0.5, 0.97])
+def test_the_column_of_eq_2_22_takes_the_factor_and_lam(small_case, factor):
+    """A free look of plan space adds logit(0.6) - lam l_0, a wall look of a plan wall logit(0.4) - lam l_0: by hand."""
+    for lam in (0.0, 0.3, 1.0, 2.0):
+        experiment = dataclasses.replace(small_case(0, lam=lam)[0], factor=factor)
+        weak = dataclasses.replace(experiment.evidence, sensor=RangeSensor(p_free=0.6, p_occupied=0.4))
+        table = dataclasses.replace(experiment, evidence=weak).sweep().grid()
+        space, wall = (lam * np.log(p * factor / (1 - p * factor)) for p in (table.p_space, table.p_wall[:, None]))
+        np.testing.assert_array_equal(table.overruled, (math.log(1.5) - space <= 1e-9) | (-math.log(1.5) - wall >= -1e-9))
+        assert table.overruled.any() == (lam > 0)
+
+
 def test_table_records_are_rows_with_everything_that_is_known(small_case):
     table = small_case(11, cell_size=2)[0].sweep().grid([0.2, 0.3], [0.5, 0.8, 1.0])
     rows = table.records()
@@ -234,8 +246,11 @@ def test_sweep_says_what_is_wrong(small_case):
         sweep.best("accuracy")
     with pytest.raises(ValueError, match="floor must lie"):
         sweep.front(floor=40)
-    with pytest.raises(ValueError, match="a lower and a higher"):
-        sweep.front(bounds=(1.0, 0.1))
+    for bounds in ((1.0, 0.1), (0.5,), (0.1, 0.5, 1.0)):
+        with pytest.raises(ValueError, match="a lower and a higher"):
+            sweep.front(bounds=bounds)
+    with pytest.raises(ValueError, match="a grid must have at most 50,000,000 pairs, got 10,000,000 x 10,000,000"):
+        sweep.grid(10_000_000)
 
 
 def test_experiment_says_what_is_wrong(small_case):
@@ -245,6 +260,8 @@ def test_experiment_says_what_is_wrong(small_case):
         Experiment(good.walls, good.evidence, other)
     for wrong, sentence in (
         (dict(lam=float("nan")), "lam must be a finite number"),
+        (dict(lam="1"), "lam must be a number, got '1'"),
+        (dict(threshold="low"), "threshold must be a number, got 'low'"),
         (dict(threshold=1.0), "threshold must lie above 0 and be at most 0.5"),
         (dict(beta=0), "beta must be"),
         (dict(factor=-1), "factor must be"),

@@ -141,6 +141,7 @@ def test_explore_takes_an_opening_without_a_door_for_no_way_out(width):
         ([MIDDLE, [34.0, 2, 0]], {}, "survey must stay on the map of 34 x 24 pixels, got x, y = 34, 2 in row 1"),
         ([MIDDLE, [1.0, 5, 0]], {}, "survey must stand in free space, got an obstacle at x, y = 1, 5 in row 1"),
         ([MIDDLE], {"repeats": 0}, "repeats must be a whole number of at least 1, got 0"),
+        ([MIDDLE], {"repeats": "3"}, "repeats must be a number, got '3'"),
         ([MIDDLE], {"noise": RangeNoise(1.0)}, "rng must be a numpy Generator.*got None"),
     ],
 )
