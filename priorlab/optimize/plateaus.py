@@ -54,7 +54,7 @@ class Range:
 
 @dataclass(frozen=True)
 class Plateau:
-    """All pairs of a range of p_wall and a range of p_space: they detect the same number of pixels."""
+    """All pairs of a range of p_wall and a range of p_space: they reach the same value of what was asked for."""
 
     p_wall: Range
     p_space: Range
