@@ -14,6 +14,8 @@ from priorlab.core.drawing import Door, Drawing, Walls
 from priorlab.plot.style import BLACK, BLUE, GREEN, ORANGE, RED, ax_for_image, finish, given_or_new
 
 FOUND, INVENTED, MISSED, IGNORED = (0, 0, 0), (86, 180, 233), (213, 94, 0), (226, 226, 226)
+SCORED = np.array([(255, 255, 255), INVENTED, MISSED, FOUND, *[IGNORED] * 4], dtype=np.uint8)
+"""Colour of a pixel by 1 (detected) + 2 (a true wall) + 4 (does not count)."""
 LEGEND = "black: found, dark orange: missed, light blue: invented, light grey: not counted"
 
 
@@ -86,12 +88,8 @@ def funnel(left: Mapping[str, int], lost_at: str | None = None, ax: Axes | None 
 def scored_image(detected: ArrayLike, truth: Truth) -> np.ndarray:
     """(height, width, 3) uint8: every pixel by what the score makes of it, see `LEGEND`."""
     detected = np.asarray(detected, dtype=bool)
-    image = np.full((*detected.shape, 3), 255, dtype=np.uint8)
-    image[detected & ~truth.walls] = INVENTED
-    image[~detected & truth.walls] = MISSED
-    image[detected & truth.walls] = FOUND
-    image[truth.ignore] = IGNORED
-    return image
+    what = detected.view(np.uint8) | truth.walls.view(np.uint8) << 1 | truth.ignore.view(np.uint8) << 2
+    return SCORED.take(what, axis=0, mode="clip")
 
 
 def _in_pixels(ax: Axes, shape: tuple[int, int], title: str | None) -> Axes:

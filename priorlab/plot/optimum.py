@@ -60,6 +60,8 @@ def front(
 ) -> Axes:
     """Pareto fronts in precision and recall (fig. 4.7); each has a marker and a line of its own.
 
+    The line is the border of what can be reached: steps, for there are no compromises between two points.
+
     Parameters
     ----------
     fronts : one, or several by the name of the legend
@@ -71,7 +73,9 @@ def front(
     for (name, one), (marker, colour, line) in zip(named.items(), styles, strict=False):
         label = f"{name} ({len(one)})" if len(one) else f"{name}: empty"
         size, fill = (7, "none") if marker == "o" else (3.5, colour)
-        ax.plot(one.recall, one.precision, marker=marker, ls=line, color=colour, lw=1.2, ms=size, mfc=fill, label=label)
+        order = np.argsort(one.recall)
+        (border,) = ax.plot(one.recall[order], one.precision[order], ls=line, color=colour, lw=1.2, drawstyle="steps-pre")
+        border.set(marker=marker, markersize=size, markerfacecolor=fill, label=label)
     if prior is not None:
         precision, recall = prior
         ax.plot(recall, precision, "X", color=RED, mec="white", ms=13, label="the prior used", zorder=1.5)
