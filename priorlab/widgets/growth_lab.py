@@ -46,6 +46,7 @@ class GrowthLab(Lab):
             raise ValueError("doors must name at least one group of at least one door, got none")
         self._drawing, self._truth, self._doors = drawing, truth, {name: tuple(some) for name, some in doors.items()}
         self._all_counted = replace(truth, ignore=np.zeros_like(truth.ignore))
+        self._grown_from: tuple[float, ...] = ()
         sheet = prepare(drawing, THESIS)
         self._ink = sheet.walls
         self._outer = outer_walls(sheet.walls, corners_of(sheet, THESIS.n_corners, THESIS), THESIS.outer_tolerance)
@@ -65,8 +66,10 @@ class GrowthLab(Lab):
     def refresh(self) -> None:
         """Sweeps from the doors, two scores, two pictures."""
         self.doors = list(self._doors.values())[int(self.source.value) - 1][: int(self.n_doors.value)]
-        outer = self._outer if self.outer.value else np.zeros_like(self._outer)
-        self.stages = sweeps_from(self._ink, outer, self.doors, THESIS)
+        grown_from = (self.source.value, self.n_doors.value, self.outer.value)
+        if grown_from != self._grown_from:  # another stage of the same walls needs no new sweeps
+            outer = self._outer if self.outer.value else np.zeros_like(self._outer)
+            self.stages, self._grown_from = sweeps_from(self._ink, outer, self.doors, THESIS), grown_from
         stage = int(self.stage.value)
         self.walls = self.stages[stage]
         self.new = self.walls & ~self.stages[stage - 1] if stage else self.walls
@@ -81,7 +84,7 @@ class GrowthLab(Lab):
             ("everything counted", percent(self.literal_score)),
             ("pixels of wall, new ones", f"{self.walls.sum():,}, {self.new.sum():,}"),
             ("doors: horizontal, vertical", f"{ways.count('h')}, {ways.count('v')} (eq. 3.15)"),
-            ("left picture", "green: wall, orange: new, pink: open sides of the doors"),
+            ("left picture", "green: wall, orange: new, pink: open sides of doors, blue: jambs"),
             ("right picture", LEGEND.replace(", dark", ",<br>dark").replace(", light grey", ",<br>light grey")),
         ]
         self.readout.value = table(rows, caption="the jambs' runs" if not stage else f"after sweep {stage}")
@@ -97,13 +100,13 @@ class GrowthLab(Lab):
 
     def _paint(self) -> NDArray[np.uint8]:
         """The drawing, its walls so far, what is new, the doors."""
-        canvas = Canvas(self._drawing.grey, 2)
+        canvas = Canvas(self._drawing.grey)
         canvas.tint(self.walls, GREEN)
         canvas.tint(self.new, ORANGE)
         for door in self.doors:
-            canvas.line(door.points[:2], PINK, 3)
-            canvas.dot(door.points[0], BLUE, 4)
-            canvas.dot(door.points[1], BLUE, 4)
+            canvas.line(door.points[:2], PINK, 2)
+            canvas.dot(door.points[0], BLUE, 2)
+            canvas.dot(door.points[1], BLUE, 2)
         return canvas.picture
 
 
