@@ -8,6 +8,9 @@ import numpy as np
 import pytest
 
 from priorlab.core.building import Truth
+from priorlab.core.drawing import Walls
+from priorlab.core.grid import Grid
+from priorlab.core.readings import Evidence
 from priorlab.optimize.experiment import Experiment
 from priorlab.optimize.front import non_dominated
 from priorlab.optimize.pareto import pareto_front
@@ -104,6 +107,28 @@ def test_pareto_front_with_another_factor_searches_the_same_effective_priors(fla
     assert len(found) and ((found.priors >= 0.09) & (found.priors <= 0.9)).all()
     with pytest.raises(ValueError, match=r"the effective bounds must lie strictly between 0 and 1, got 1\.2 x 0\.9 = 1\.08"):
         pareto_front(flat, np.random.default_rng(0), bounds=(0.1, 1.2))
+
+
+@pytest.fixture(scope="module")
+def unseen():
+    """Nobody looks: p_wall up to 0.222 finds one of two walls, p_space up to 0.222 the other with two false pixels."""
+    walls = Walls(np.array([[1, 0, 0, 0]], dtype=np.uint8))
+    truth = Truth(np.array([[True, True, False, False]]), np.zeros((1, 4), dtype=bool))
+    return Experiment(walls, Evidence.none(Grid((1, 4))), truth)
+
+
+def test_pareto_front_wants_both_measures_above_the_floor(unseen):
+    found = pareto_front(unseen, np.random.default_rng(0), population=10, generations=5, floor=0.45)
+    assert list(zip(found.precision, found.recall, strict=True)) == [(1.0, 0.5), (0.5, 1.0)]
+    assert unseen.sweep().front(floor=0.45).hypervolume == found.hypervolume == 0.75
+    none = pareto_front(unseen, np.random.default_rng(0), population=10, generations=5, floor=0.7)  # either alone reaches 0.7
+    assert len(none) == 0 and "above 70 %" in none.note
+
+
+def test_pareto_front_never_leaves_its_bounds(unseen):
+    """Just below 0.3 there is a front; a search that may not go there finds none."""
+    found = pareto_front(unseen, np.random.default_rng(0), population=20, generations=20, bounds=(0.3, 1.0))
+    assert len(found) == 0 == len(unseen.sweep().front(bounds=(0.3, 1.0)))
 
 
 def test_pareto_front_refuses_a_search_of_nobody(flat):

@@ -11,6 +11,7 @@ from priorlab.figures import chapter4_tables, chapter5, chapter5_studies
 from priorlab.figures.chapter4_tables import THESIS_PRECISION, THESIS_RECALL, as_printed, decided_by
 from priorlab.figures.prior_figures import PRIOR_FIGURES
 from priorlab.figures.registry import FIGURES, figure_named
+from priorlab.figures.row_summary import summary_of
 from priorlab.study.conditions import Condition, Row, run
 from priorlab.study.worth import Worth
 
@@ -98,6 +99,24 @@ def test_verdict_of_the_update_study_flips(monkeypatch):
         chapter5_studies, "run_all", fake_runs(lambda c: 0.4 if (c.lam == 0) == (c.quality in good) else 0.8, lambda c: 0.5)
     )
     assert figure_named("study-updates").make(np.random.default_rng(0)).verdict == "differs"
+
+
+def test_verdict_of_the_update_study_is_partly_when_the_thesis_wins_on_some_damaged_walls_only(monkeypatch):
+    """Some of nine is no agreement."""
+    lam_0_wins = ("true walls", "extracted", "poor")
+    monkeypatch.setattr(
+        chapter5_studies, "run_all", fake_runs(lambda c: 0.8 if (c.lam == 0) == (c.quality in lam_0_wins) else 0.4, lambda c: 0.5)
+    )
+    outcome = figure_named("study-updates").make(np.random.default_rng(0))
+    assert outcome.verdict == "partly" and "higher mean F2 in 6 of 9" in outcome.says
+
+
+def test_a_prior_that_changes_nothing_is_not_better():
+    rows = fake_runs(lambda c: 0.5 + 0.1 * (c.cell_size == 3), lambda c: 0.5)(
+        [Condition("flat_north"), Condition("flat_north", cell_size=5)]
+    )
+    told = summary_of(rows)
+    assert (told["better"], told["of"]) == (2, 4) and told["gain_percent"] == pytest.approx([10, 0, 20], abs=0.2)
 
 
 def test_rows_of_the_thesis_are_fifteen_and_all_but_two_follow_from_the_closed_form():
