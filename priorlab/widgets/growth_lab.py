@@ -41,7 +41,7 @@ class GrowthLab(Lab):
     score, literal_score : with the don't-care pixels left out, and with all pixels counted
     """
 
-    def __init__(self, drawing: Drawing, truth: Truth, doors: Mapping[str, Sequence[Door]], width: int = 430) -> None:
+    def __init__(self, drawing: Drawing, truth: Truth, doors: Mapping[str, Sequence[Door]], width: int = 390) -> None:
         if not doors or not all(doors.values()):
             raise ValueError("doors must name at least one group of at least one door, got none")
         self._drawing, self._truth, self._doors = drawing, truth, {name: tuple(some) for name, some in doors.items()}

@@ -38,7 +38,7 @@ class OwnDrawing(ipywidgets.VBox):
     says : its sentences
     """
 
-    def __init__(self, bundled: Drawing, width: int = 430) -> None:
+    def __init__(self, bundled: Drawing, width: int = 390) -> None:
         self._source: Any = bundled
         self._name = bundled.name
         self.upload = ipywidgets.FileUpload(
