@@ -128,8 +128,10 @@ class Shortlist:
 
     @property
     def quality(self) -> NDArray[np.float64]:
-        """How much of a door each candidate is, 1 at best: its symbol, and the wall at the weaker jamb."""
-        return self.symbols.quality * (0.5 + 0.5 * self.jambs.support)
+        """How much of a door each candidate is, 1 at best: its symbol, and the wall (or other leaf) at the weaker jamb."""
+        paired = meets_other_leaf(self.symbols, self.jambs, self.scene.method.min_support)
+        support = np.where(paired, self.jambs.hinge_support, self.jambs.support)
+        return self.symbols.quality * (0.5 + 0.5 * support)
 
     def __len__(self) -> int:
         return len(self.triples)

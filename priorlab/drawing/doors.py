@@ -14,7 +14,9 @@ from priorlab.core.drawing import Door, Drawing
 from priorlab.drawing.candidates import DOOR, TESTS, DoorSearch, asked_tests, wedges
 from priorlab.drawing.connectivity import connect
 from priorlab.drawing.door_tests import ASK, Scene, Shortlist, passed
+from priorlab.drawing.folding import folding_doors
 from priorlab.drawing.geometry import tilts
+from priorlab.drawing.jamb_walls import meets_other_leaf
 from priorlab.drawing.jambs import with_measured_jambs
 from priorlab.drawing.leaves import leaf_candidates, straight_pairs
 from priorlab.drawing.method import ROBUST, Method
@@ -63,12 +65,16 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
         keep = passed(ASK[test](some))
         reasons[alive[~keep]] = TESTS.index(test)
         alive, some = alive[keep], some[keep]
+    doors = _as_doors(some, sheet, method)
+    if method.folding:
+        near_ink = cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
+        doors += sheet.doors_to_input(folding_doors(scene, near_ink, some.triangles))
     return DoorSearch(
         corners=points,
         edges=np.argwhere(np.triu(connected)),
         candidates=candidates,
         reasons=reasons,
-        doors=_as_doors(some, sheet, method),
+        doors=doors,
         sheet=sheet,
         method=method,
     )
@@ -86,11 +92,12 @@ def walkable(sheet: Sheet, method: Method) -> NDArray[np.bool_]:
 def _as_doors(some: Shortlist, sheet: Sheet, method: Method) -> tuple[Door, ...]:
     """Doors in pixels of the drawing that came in."""
     symbols, quality = some.symbols, some.quality
+    paired = meets_other_leaf(symbols, some.jambs, method.min_support)  # no wall ends the opening where two leaves meet
     kinds = np.where(symbols.has_arc, "arc", np.where(symbols.is_alone, "leaf", "straight"))
     found = []
     for k in range(len(kinds)):
         hinge, strike, tip = ((float(p[k, 0]), float(p[k, 1])) for p in (symbols.hinge, symbols.strike, symbols.tip))
         door = Door(hinge, strike, tip, kind=str(kinds[k]), quality=round(float(quality[k]), 4))
         level = tilts(symbols.hinge[k], symbols.strike[k]) <= method.max_tilt  # rows and columns measure no wing at an angle
-        found.append(with_measured_jambs(door, sheet.walls) if method.measure_jambs and level else door)
+        found.append(with_measured_jambs(door, sheet.walls) if method.measure_jambs and level and not paired[k] else door)
     return sheet.doors_to_input(found)

@@ -32,7 +32,7 @@ def with_measured_jambs(door: Door, walls: NDArray[np.bool_]) -> Door:
     axis = int(np.abs(strike - hinge).argmax())  # 0: the opening lies along x
     middle = (hinge + strike) / 2
     away = -np.sign(tip[1 - axis] - middle[1 - axis]) or 1.0
-    spans = []
+    spans, depths = [], []
     for depth in range(DEEPEST + 1):
         across = int(round(middle[1 - axis] + away * depth))
         if not 0 <= across < walls.shape[axis]:  # rows when the opening lies along x
@@ -41,13 +41,15 @@ def with_measured_jambs(door: Door, walls: NDArray[np.bool_]) -> Door:
         span = _white_span(line, int(round(middle[axis])))
         if span and BOUNDS[0] * door.width <= span[1] - span[0] <= BOUNDS[1] * door.width:
             spans.append(span)
+            depths.append(across)
     if not spans:
         return door
     low, high = np.median(np.array(spans), axis=0)
     first, last = (low, high) if hinge[axis] < strike[axis] else (high, low)
     new_hinge, new_strike = hinge.copy(), strike.copy()
     new_hinge[axis], new_strike[axis] = first, last
-    new_hinge[1 - axis] = new_strike[1 - axis] = middle[1 - axis]
+    lies = float(np.clip(middle[1 - axis], min(depths), max(depths)))  # between wall and wall
+    new_hinge[1 - axis] = new_strike[1 - axis] = lies
     return replace(
         door,
         hinge=(float(new_hinge[0]), float(new_hinge[1])),

@@ -38,6 +38,7 @@ class Method:
     max_chord : share of ink allowed along the straight line below an arc; 1 asks for nothing
     max_beyond : share of ink allowed where leaf or arc would go on beyond the tip; 1 asks for nothing
     lone_leaves : one drawn side is enough: a leaf without an arc, or with a broken one
+    folding : rows of two equal folds along an opening are doors too
     max_open_ink : share of ink allowed on the open side; 1 asks for nothing
     max_dark : share of ink allowed inside the triangle (3.3.1: 40 %)
     max_overlap : share of the smaller triangle that two doors may have in common (3.3.1: 30 %)
@@ -83,6 +84,7 @@ class Method:
     max_chord: float = 1.0
     max_beyond: float = 1.0
     lone_leaves: bool = False
+    folding: bool = False
     max_open_ink: float = 1.0
     max_dark: float = 0.40
     max_overlap: float = 0.30
@@ -135,6 +137,7 @@ ROBUST = Method(
     max_chord=0.35,
     max_beyond=0.6,
     lone_leaves=True,
+    folding=True,
     max_open_ink=0.11,
     keep_best=True,
     size_mode_factor=1.5,

@@ -134,7 +134,7 @@ def _drawn(lines: NDArray[np.bool_], tip: NDArray, hinge: NDArray, strike: NDArr
     """All measures of `_DRAWN`, by name."""
     lanes = _open_lanes(lines, hinge, strike)
     return {
-        "arc": look_up(lines, arc_points(hinge, tip, strike)).mean(axis=1),
+        "arc": _best_arc(lines, hinge, tip, strike),
         "chord": look_up(lines, points_between(tip, strike)).mean(axis=1),
         "open_ink": lanes.min(axis=0),
         "crossed": _open_lanes(lines, hinge, strike, 0.22).max(axis=0),  # a leaf half open leaves the hinge between them
@@ -198,6 +198,27 @@ def leaf_beyond(hinge: NDArray, tip: NDArray, strike: NDArray, aside: float = 0.
     leaf = tip - hinge
     left = np.stack([-leaf[:, 1], leaf[:, 0]], axis=1)
     return (hinge + aside * left)[:, None, :] + share * leaf[:, None, :]
+
+
+def _best_arc(lines: NDArray[np.bool_], hinge: NDArray, tip: NDArray, strike: NDArray) -> NDArray:
+    """(K,) share of ink along the arc; its ends may lie a little nearer to the hinge or farther off than the corners do."""
+    first, last = tip - hinge, strike - hinge
+    best = look_up(lines, arc_points(hinge, tip, strike)).mean(axis=1)
+    some = np.flatnonzero((best >= WORTH) & (best < 1))
+    hinge, first, last = hinge[some], first[some], last[some]
+    off = np.maximum(OFF_ARC * np.hypot(*last.T), 1.5)[:, None]
+    for nearer, farther in ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)):
+        one = tip[some] + nearer * off * first / np.maximum(np.hypot(*first.T), 1e-9)[:, None]
+        other = strike[some] + farther * off * last / np.maximum(np.hypot(*last.T), 1e-9)[:, None]
+        best[some] = np.maximum(best[some], MOVED * look_up(lines, arc_points(hinge, one, other)).mean(axis=1))
+    return best
+
+
+MOVED = 0.94
+"""An arc that does not begin and end at the corners is worth so much of one that does."""
+
+OFF_ARC = 0.03
+"""The ends of an arc may lie so far off, as a share of its radius."""
 
 
 def _open_lanes(lines: NDArray[np.bool_], hinge: NDArray, strike: NDArray, margin: float = 0.12) -> NDArray:
