@@ -30,6 +30,8 @@ from .drawing.method import ROBUST as ROBUST
 from .drawing.method import THESIS as THESIS
 from .drawing.method import Method as Method
 from .drawing.walls import detect_walls as detect_walls
+from .interchange.carmen import read_carmen as read_carmen
+from .interchange.carmen_writing import write_carmen as write_carmen
 from .interchange.depth_images import read_depth_image as read_depth_image
 from .interchange.images import read_drawing as read_drawing
 from .interchange.pose_files import read_poses as read_poses
