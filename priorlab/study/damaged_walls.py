@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_rng
 from priorlab.core.drawing import EMPTY, WALL, Walls
 
 PATCH = (0.08, 0.25)
@@ -33,6 +34,7 @@ def without_parts(walls: Walls, share: float, rng: np.random.Generator) -> Walls
     """
     if not 0 <= share <= 1:
         raise ValueError(f"share must lie in [0, 1], got {share:g}")
+    rng = check_rng(rng)
     mask = walls.mask.copy()
     to_lose = round(share * int(mask.sum()))
     low, high = (max(1.0, part * _smaller_side(mask)) for part in PATCH)
@@ -88,6 +90,7 @@ def with_extra_wall(walls: Walls, rng: np.random.Generator) -> Walls:
     ValueError
         When no room is wide enough for a wall in it.
     """
+    rng = check_rng(rng)
     thickness = typical_thickness(walls.mask)
     free = cv2.distanceTransform(np.pad(~walls.mask, 1).view(np.uint8), cv2.DIST_C, cv2.DIST_MASK_PRECISE)[1:-1, 1:-1]
     for _ in range(TRIES):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_poses
+from priorlab.core.checks import check_poses, check_rng
 
 
 def lanes_of(survey: ArrayLike) -> list[NDArray[np.float64]]:
@@ -43,7 +43,7 @@ def thinned(survey: ArrayLike, every: int, rng: np.random.Generator) -> NDArray[
     """
     if every < 1 or every != int(every):
         raise ValueError(f"every must be a whole number of at least 1, got {every}")
-    lanes = lanes_of(survey)
+    lanes, rng = lanes_of(survey), check_rng(rng)
     first = int(rng.integers(len(lanes)))
     kept = []
     for lane in lanes[first:] + lanes[:first]:
@@ -62,7 +62,7 @@ def part_of(survey: ArrayLike, share: float, rng: np.random.Generator) -> NDArra
     """
     if not 0 < share <= 1:
         raise ValueError(f"share must lie in (0, 1], got {share:g}")
-    poses = check_poses("survey", survey)
+    poses, rng = check_poses("survey", survey), check_rng(rng)
     middle = poses[int(rng.integers(len(poses))), :2]
     nearest = np.argsort(np.hypot(*(poses[:, :2] - middle).T), kind="stable")[: max(1, round(share * len(poses)))]
     return poses[np.sort(nearest)]

@@ -79,3 +79,9 @@ def test_typical_thickness_of_a_strip(thickness):
     mask = np.zeros((40, 400), dtype=bool)
     mask[10 : 10 + thickness, 5:395] = True
     assert typical_thickness(mask) == thickness
+
+
+@pytest.mark.parametrize("damage", [poor, with_extra_wall, lambda walls, rng: without_parts(walls, 0.3, rng)])
+def test_damage_refuses_a_seed_in_place_of_a_generator(damage):
+    with pytest.raises(ValueError, match="rng must be a numpy Generator.*got 0"):
+        damage(two_rooms(), 0)

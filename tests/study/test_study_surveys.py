@@ -64,3 +64,10 @@ def test_part_of_is_the_nearest_share():
     assert np.array_equal(part_of(survey, 1.0, np.random.default_rng(0)), survey)
     with pytest.raises(ValueError, match=r"share must lie in \(0, 1\], got 0"):
         part_of(survey, 0, np.random.default_rng(0))
+
+
+def test_surveys_refuse_a_seed_in_place_of_a_generator():
+    poses = [[0.0, 0.0, np.pi / 2], [2.0, 0.0, -np.pi / 2], [4.0, 0.0, np.pi / 2]]
+    for draw in (lambda: thinned(poses, 2, 7), lambda: part_of(poses, 0.5, 7)):
+        with pytest.raises(ValueError, match="rng must be a numpy Generator.*got 7"):
+            draw()
