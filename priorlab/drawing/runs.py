@@ -25,10 +25,17 @@ def run_lengths(mask: NDArray[np.bool_], axis: int) -> NDArray[np.int32]:
     >>> run_lengths(np.array([[1, 1, 0, 1]], dtype=bool), axis=1).tolist()
     [[2, 2, 0, 1]]
     """
-    labels = label_runs(mask, axis)
-    counts = np.bincount(labels.ravel()).astype(np.int32)
-    counts[0] = 0
-    return counts[labels]
+    rows = mask if axis == 1 else mask.T
+    padded = np.zeros((rows.shape[0], rows.shape[1] + 1), dtype=bool)  # a white column, so that no run goes on in the next row
+    padded[:, :-1] = rows
+    flat = padded.ravel()
+    turns = np.flatnonzero(flat[1:] != flat[:-1]) + 1
+    turns = np.concatenate([[0], turns]) if flat.size and flat[0] else turns
+    counts = (turns[1::2] - turns[::2]).astype(np.int32)
+    lengths = np.zeros(flat.shape, dtype=np.int32)
+    lengths[flat] = np.repeat(counts, counts)
+    found = lengths.reshape(padded.shape)[:, :-1]
+    return found if axis == 1 else found.T
 
 
 def grow_along(seeds: NDArray[np.bool_], ink: NDArray[np.bool_], axis: int) -> NDArray[np.bool_]:

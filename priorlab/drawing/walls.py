@@ -22,7 +22,7 @@ from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
 from priorlab.drawing.wall_sizes import wall_sizes
-from priorlab.drawing.weight import IN_COLOUR, Hypothesis, judged, weight_hypotheses, with_hatching
+from priorlab.drawing.weight import IN_COLOUR, STRAIGHT_CELLS, Hypothesis, judged, weight_hypotheses, with_hatching
 from priorlab.drawing.windows import window_bridges, window_panes
 
 DOORS_ALONE = 0.3
@@ -32,12 +32,18 @@ DOORS_ALONE = 0.3
 FEWEST_FOR_A_SCALE = 3
 """Doors that are needed to tell how thick a wall can be."""
 
+DRAWN_SOLID = 0.8
+"""Walls of which so much is ink are drawn solid, with windows between them."""
+
 SOLID_COVERS = 0.5
 """Solid walls are preferred when they make up so much of the best hypothesis."""
 
 
 OUTLINES = 0.02
 """Components shorter than this share of M bound no inside of a wall."""
+
+NEAR_JAMB = 0.15
+"""A jamb stands on a wall that is within so many door widths of it."""
 
 NEARLY = 0.95
 """Of hypotheses that are nearly as good as the best, the heaviest is taken: it holds the least furniture."""
@@ -105,7 +111,7 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         if best.name != "doors":
             best = with_hatching(best, ink & ~symbols, sizes)
         joined = best.walls
-        if best.solid:
+        if best.solid or _share(joined, ink) >= DRAWN_SOLID:
             joined = with_heavy_ink(with_others(best, hypotheses, worths, sizes), outlines)
             joined = without_thin_outside(joined)
         chosen, walls = best.name, joined & ~(symbols & ~guided)
@@ -145,11 +151,21 @@ def sweeps_from(
 
 
 def worths_of(hypotheses: Sequence[Hypothesis], doors: Sequence[Door], symbols: NDArray[np.bool_]) -> list[float]:
-    """How far to trust each hypothesis, in the light of the doors: jambs stand on walls, leaves and arcs are none."""
+    """How far to trust each hypothesis, in the light of the doors: jambs stand on walls, leaves and arcs are none.
+
+    Solid strokes that are the faces of long cells are no walls by themselves.
+    """
     in_colour = any(h.name.startswith("hue") for h in hypotheses)
     doors_alone = DOORS_ALONE * (IN_COLOUR if in_colour else 1.0)
     trust = [doors_alone if h.name == "doors" else 1.0 for h in hypotheses]
+    insides = next((h.walls for h in hypotheses if h.name == STRAIGHT_CELLS), np.zeros_like(symbols))
+    trust = [t * (1 - _share(h.walls, insides)) if h.solid else t for t, h in zip(trust, hypotheses, strict=True)]
     return [t * h.quality * door_agreement(h.walls, doors, symbols) for t, h in zip(trust, hypotheses, strict=True)]
+
+
+def _share(walls: NDArray[np.bool_], part: NDArray[np.bool_]) -> float:
+    """Share of the walls that lies in a part; 0 of nothing."""
+    return float(part[walls].mean()) if walls.any() else 0.0
 
 
 def choose(hypotheses: Sequence[Hypothesis], worths: Sequence[float]) -> Hypothesis:
@@ -161,20 +177,25 @@ def choose(hypotheses: Sequence[Hypothesis], worths: Sequence[float]) -> Hypothe
     best, most = max(pairs, key=lambda pair: pair[1])
     if best.weight:
         best = max((h for h, worth in pairs if worth >= NEARLY * most), key=lambda h: h.weight)
-    solid = [(h, w) for h, w in pairs if h.solid and (h.walls & best.walls).sum() >= SOLID_COVERS * best.walls.sum()]
+    solid = [
+        (h, w)
+        for h, w in pairs
+        if h.solid and h.weight >= best.weight and (h.walls & best.walls).sum() >= SOLID_COVERS * best.walls.sum()
+    ]
     return max(solid, key=lambda pair: pair[1])[0] if solid else best
 
 
-def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDArray[np.bool_], reach: int = 4) -> float:
+def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDArray[np.bool_]) -> float:
     """How well walls and doors fit: jambs on the walls, and no leaf or arc among them; 1 at best and without doors."""
     if not doors:
         return 1.0
+    reach = max(4, round(NEAR_JAMB * float(np.median([door.width for door in doors]))))
     near = cv2.dilate(walls.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)).astype(bool)
     jambs = np.rint([jamb for door in doors for jamb in (door.hinge, door.strike)]).astype(int)
     x, y = np.clip(jambs, 0, [walls.shape[1] - 1, walls.shape[0] - 1]).T
     on_walls = near[y, x].mean()
     mistaken = walls[symbols].mean() if symbols.any() else 0.0
-    return float((0.2 + 0.8 * on_walls) * (1 - 0.8 * mistaken))
+    return float((0.5 + 0.5 * on_walls) * (1 - 0.8 * mistaken))
 
 
 def as_walls(drawing: Drawing, mask: NDArray[np.bool_]) -> Walls:

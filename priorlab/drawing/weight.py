@@ -34,6 +34,9 @@ IN_COLOUR = 0.5
 SLENDER = 6.0
 """A wall is longer than so many of its thicknesses; furniture is not."""
 
+STRAIGHT_CELLS = "long cells of straight lines"
+"""Name of the hypothesis that takes what lies between straight lines of any weight."""
+
 HUE_BINS = 12
 """Hues that are told apart, each 15 of OpenCV's 180 wide."""
 
@@ -84,7 +87,7 @@ def weight_hypotheses(
             walls, solid = walls_between(heavy, ink, cells, sizes)
             found.append(judged(name, walls, sizes, solid, trust, least))
     loose, *strict = long_cells(outlines, sizes)
-    narrow = {"long cells": loose.walls(), "long cells of straight lines": np.logical_or.reduce([c.walls() for c in strict])}
+    narrow = {"long cells": loose.walls(), STRAIGHT_CELLS: np.logical_or.reduce([c.walls() for c in strict])}
     found += [judged(name, tidy(walls, sizes), sizes, False, trust) for name, walls in narrow.items()]
     for hue in hues:
         coloured = ink & _of_hue(sheet.hue, hue)
