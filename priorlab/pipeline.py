@@ -240,7 +240,7 @@ def run_pipeline(
         seconds=stage.seconds,
     )
     if not result.has_walls:
-        return replace(result, stopped=f"no walls were found: the stage '{extraction.lost_at}' lost them")
+        return replace(result, stopped=f"no walls were found, lost at '{extraction.lost_at}'. {' '.join(extraction.notes)}")
     result = replace(result, prior_map=build_prior_map(walls, prior, cell_size))
     if plan is not None:
         survey, tour, truth, world, building = plan.survey, plan.tour, plan.truth, plan.world, plan.truth

@@ -16,7 +16,7 @@ from priorlab.core.grid_map import GridMap, Prior
 from priorlab.core.log_odds import DETECTED_WALL
 from priorlab.core.readings import Evidence
 from priorlab.core.score import score_map
-from priorlab.mapping.overruled import OverruledSensorWarning
+from priorlab.mapping.overruled import OverruledSensorWarning, overruled_readings
 from priorlab.mapping.prior import build_prior_map
 from priorlab.mapping.update import update_map
 from priorlab.optimize.experiment import Experiment
@@ -146,6 +146,8 @@ class DensityLab(Lab):
         self.pictures[1].show(self._counted(self.map), f"With the plan. {LEGEND}. F2 {self.with_plan[self.here]:.3f}")
         self.pictures[2].show(self._pixels(self.here), f"Without a plan. {LEGEND}. F2 {self.without[self.here]:.3f}")
         evidence = self._evidence[self.here]
+        sensor = evidence.sensor
+        broken = overruled_readings(self.prior, sensor.p_free, sensor.p_occupied, self.lam.value)
         rows = [
             ("looks per seen cell", f"<b>{self.looks[self.here]:.2f}</b>, {100 * evidence.seen.mean():.0f} % of the cells seen"),
             ("F2 with the plan (middle)", f"<b>{self.with_plan[self.here]:.3f}</b>"),
@@ -153,6 +155,7 @@ class DensityLab(Lab):
             ("F2 of the plan alone", f"{self.alone:.3f}"),
             ("gain of the plan", f"<b>{self.gain_here:+.0f} %</b>"),
             ("the sign of the gain", self._verdict()),
+            ("eq. 2.22", broken.replace("; ", ";<br>").replace(": each", ":<br>each") if broken else "holds"),
             ("colours", LEGEND.replace(", light", ",<br>light", 1)),
         ]
         self.readout.value = table(rows, caption=f"detected as wall: P(empty) &le; {DETECTED_WALL:g}")
