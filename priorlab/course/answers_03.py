@@ -38,6 +38,9 @@ def _effective(rng: np.random.Generator, seed: int) -> Exercise:
             Mistake(lambda: _logit(p * FACTOR) / math.log(10), "that is log10; log odds here are natural, math.log."),
             Mistake(lambda: -_logit(p * FACTOR), "the sign is turned round (convention flipped): P(empty) belongs on top."),
             Mistake(lambda: p * FACTOR, "that is the effective probability; now its log odds."),
+            Mistake(lambda: math.exp(_logit(p * FACTOR)), "those are the odds; their logarithm is missing."),
+            Mistake(lambda: math.log(p * FACTOR), "that is the logarithm of p alone; the odds are p / (1 - p)."),
+            Mistake(lambda: _logit(p * FACTOR) / math.log(2), "that is log2; log odds here are natural, math.log."),
         ),
         hints=("the effective value is 0.9 times the slider's.", "l0 = math.log(p / (1 - p)) with the effective p."),
         tolerance=1e-3,
@@ -59,6 +62,8 @@ def _limit(rng: np.random.Generator, seed: int) -> Exercise:
             Mistake(lambda: p_free * FACTOR, "you multiplied; the slider's value TIMES 0.9 must stay below p_free."),
             Mistake(lambda: (1 - p_free) / FACTOR, "that is the bound for p_wall (convention flipped)."),
             Mistake(lambda: 1 - p_free, "that is P(wall) (convention flipped)."),
+            Mistake(lambda: _logit(p_free), "those are log odds; the slider shows a probability."),
+            Mistake(lambda: 100 * p_free / FACTOR, "that is in per cent; the slider runs from 0 to 1."),
         ),
         hints=("eq. 2.22 compares p_free with the effective p_space.", "0.9 x slider < p_free."),
         tolerance=1e-3,
@@ -95,6 +100,9 @@ def _any(rng: np.random.Generator, seed: int) -> Exercise:
             Mistake(lambda: 1 - rules["any"], "1 and 0 are swapped (convention flipped): 1 means wall here."),
             Mistake(lambda: rules["any"][::-1], "the rows stand upside down: row 0 is at the top."),
             Mistake(lambda: rules["any"][:, ::-1], "left and right are swapped: column 0 is at the left."),
+            Mistake(lambda: rules["any"].T, "rows and columns are swapped: asked are two rows of three."),
+            Mistake(lambda: rules["any"].ravel(), "that is one list of six: asked are two lists, one for each row of cells."),
+            Mistake(lambda: rules["pixels"], "those are the numbers of wall pixels; a cell that holds any is 1."),
         ),
         hints=("draw two lines down and one across: six cells.", "a cell is 1 when it holds at least one #."),
     )
@@ -113,9 +121,9 @@ def _small_drawing(rng: np.random.Generator) -> tuple[np.ndarray, dict[str, np.n
 
 
 def _by_rule(pixels: np.ndarray) -> dict[str, np.ndarray]:
-    """(2, 3) cells of both rules."""
+    """(2, 3) cells of both rules, and how many wall pixels each holds."""
     counts = pixels.reshape(2, 3, 3, 3).sum(axis=(1, 3))
-    return {"any": (counts > 0).astype(int), "majority": (counts > 4.5).astype(int)}
+    return {"any": (counts > 0).astype(int), "majority": (counts > 4.5).astype(int), "pixels": counts}
 
 
 def _tells_mistakes_apart(rules: dict[str, np.ndarray]) -> bool:

@@ -44,9 +44,11 @@ def _log_odds() -> Exercise:
             Mistake(lambda: lambda p: -_logit(p), "the sign is turned round (convention flipped): P(empty) belongs on top."),
             Mistake(lambda: math.log, "that is the logarithm of p alone; the odds are p / (1 - p)."),
             Mistake(lambda: lambda p: p / (1 - p), "those are the odds; their logarithm is missing."),
+            Mistake(lambda: lambda p: math.log(p) / (1 - p), "a bracket: the logarithm of the whole quotient p / (1 - p)."),
         ),
         hints=("odds first: how much likelier is empty than wall?", "math.log(p / (1 - p))."),
         inputs=((0.5,), (0.9,), (0.1,), (0.72,)),
+        tolerance=1e-3,
     )
 
 
@@ -73,6 +75,16 @@ def _one_cell(rng: np.random.Generator) -> Exercise:
             Mistake(lambda: _sigmoid(ends_at(0.0)), "that is lam = 0: l0 must be taken off at every reading (eq. 2.15)."),
             Mistake(lambda: _sigmoid(total - looks * start), "the start is missing: before the first reading l = l0 already."),
             Mistake(lambda: 1 - _sigmoid(ends_at(1.0)), "that is P(wall) (convention flipped)."),
+            Mistake(
+                lambda: _sigmoid(start - total - looks * start),
+                "free and wall readings are swapped (convention flipped): a free one adds, a wall one takes away.",
+            ),
+            Mistake(
+                lambda: _sigmoid(start + total - (looks - 1) * start),
+                "l0 is taken off once too little: every reading takes it off, and the start adds it once.",
+            ),
+            Mistake(lambda: _sigmoid(total), "the prior is missing: that is the end of a cell that starts at 0.5."),
+            Mistake(lambda: 100 * _sigmoid(ends_at(1.0)), "that is in per cent; a probability lies between 0 and 1."),
             Mistake(
                 lambda: _sigmoid(ends_at(1.0) / math.log(10)), "log10 went in, exp came out: use the natural logarithm (log10)."
             ),
@@ -110,9 +122,15 @@ def _closed_form() -> Exercise:
                 "n - 1 is one too few: eq. 2.18 has it because there the start l0 is already counted in; here it stands alone.",
             ),
             Mistake(lambda: lambda start, total, n, lam: start + total, "that is lam = 0; lam n l0 is missing."),
+            Mistake(
+                lambda: lambda start, total, n, lam: start + n * total - lam * n * start,
+                "S is the sum of all readings already: no n before it.",
+            ),
+            Mistake(lambda: lambda *numbers: _sigmoid(right(*numbers)), "that is the probability; asked are the log odds."),
         ),
         hints=("try n = 0: the answer must be l0.", "write eq. 2.15 three times under each other and add the lines."),
         inputs=((1.4, 0.0, 0, 1.0), (1.4, 4.4, 2, 1.0), (1.4, 4.4, 2, 0.0), (-2.0, 6.6, 3, 0.5)),
+        tolerance=1e-3,
     )
 
 
@@ -137,6 +155,14 @@ def _flip(rng: np.random.Generator) -> Exercise:
                 lambda: _sigmoid((total - edge) / looks), "you divided by n: the start counts once with plus, so n - 1 remain."
             ),
             Mistake(lambda: 1 - _sigmoid((total - edge) / (looks - 1)), "that is P(wall) (convention flipped)."),
+            Mistake(
+                lambda: _sigmoid((total - edge) / (looks - 1) / math.log(10)),
+                "log10 went in, exp came out: use the natural logarithm (log10).",
+            ),
+            Mistake(
+                lambda: _sigmoid((total - edge) / (looks - 1)) / 0.9,
+                "that is the slider's value; asked is the effective one, after the factor 0.9.",
+            ),
             Mistake(lambda: p_free, "that is eq. 2.22's bound: there more readings stop helping; the wall comes a little later."),
         ),
         hints=("set l0 + S - n l0 equal to logit(0.2).", "solve for l0: (S - logit(0.2)) / (n - 1); then eq. 4.21."),

@@ -46,6 +46,14 @@ def _front(rng: np.random.Generator, seed: int) -> Exercise:
             Mistake(lambda: picked("second", "weak"), "those are the ones that are beaten."),
             Mistake(lambda: picked("middle"), "that is the best compromise (F2 or so); the front holds all that nobody beats."),
             Mistake(lambda: picked("precise", "second", "middle", "complete"), "one of them has less of both than another."),
+            Mistake(lambda: list(range(5)), "two of the five are beaten."),
+            Mistake(
+                lambda: [1 + i for i in picked("precise", "middle", "complete")], "counted from 1: the first prior is number 0."
+            ),
+            Mistake(
+                lambda: [i in picked("precise", "middle", "complete") for i in range(5)],
+                "that is a yes or no for each; asked are the numbers of those that remain.",
+            ),
         ),
         hints=("take each prior in turn: does any other have at least as much of both?", "three of the five remain."),
         ordered=False,
@@ -67,6 +75,8 @@ def _threshold(rng: np.random.Generator, seed: int) -> Exercise:
             Mistake(lambda: threshold * FACTOR, "you multiplied; slider times 0.9 must stay at or below the threshold."),
             Mistake(lambda: 0.2 / FACTOR, "that is the cliff of the threshold 0.2: it moves."),
             Mistake(lambda: 1 - threshold, "that is P(wall) (convention flipped)."),
+            Mistake(lambda: (1 - threshold) / FACTOR, "that is P(wall) (convention flipped), over 0.9."),
+            Mistake(lambda: 100 * threshold / FACTOR, "that is in per cent; the slider runs from 0 to 1."),
         ),
         hints=("no reading: l = l0, P(empty) = effective p_wall.", "0.9 x slider = threshold."),
         tolerance=1e-3,
@@ -101,6 +111,10 @@ def _row(rng: np.random.Generator, seed: int) -> Exercise:
             Mistake(
                 lambda: pair(unseen + once, unseen + once + twice),
                 "an unseen cell at 0.9 x 1.0 is no wall: there the prior alone decides.",
+            ),
+            Mistake(
+                lambda: pair(unseen + once + twice, unseen + once + twice),
+                "that is every wall of the plan; with each prior one kind of cell is lost.",
             ),
         ),
         hints=("l = l0 + S - n l0, class by class; S = 0 for one free and one wall.", "never: l0. once: S. twice: -l0."),

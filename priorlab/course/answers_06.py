@@ -47,6 +47,8 @@ def _gain(rng: np.random.Generator, seed: int) -> Exercise:
             Mistake(lambda: 100 * high / low, "that is how many per cent it IS of the other; take 100 off."),
             Mistake(lambda: 100 * (1 - low / high), "that is in per cent of the map WITH the plan; the one without is the base."),
             Mistake(lambda: gain(_f_beta(*with_plan, 1.0), _f_beta(*without, 1.0)), "that is F1; in F2 beta squared is 4."),
+            Mistake(lambda: gain(_f_beta(*with_plan, 2.0), _f_beta(*without, 2.0)), "beta stands SQUARED in eq. 5.2: 4, not 2."),
+            Mistake(lambda: gain(with_plan[1], without[1]), "that is the gain of recall alone; asked is F2."),
             Mistake(
                 lambda: gain(_f_beta(*with_plan[::-1]), _f_beta(*without[::-1])), "precision and recall are swapped in eq. 5.2."
             ),
@@ -115,6 +117,10 @@ def _verdict() -> Exercise:
             wrong(lambda gains: min(gains) > CLAIMED, "'at least 20' holds at 20 itself."),
             wrong(lambda gains: min(gains) > 0, "that is 'the plan never does harm'; the claim says 20 %."),
             wrong(lambda gains: min(gains) >= CLAIMED / 100, "the gains are in per cent, not shares."),
+            wrong(lambda gains: min(gains) < CLAIMED, "that is turned round: True means that the claim holds."),
+            wrong(lambda gains: gains[0] >= CLAIMED, "only the first drawing was asked; 'on all' means each."),
+            wrong(lambda gains: min(gains), "that is the lowest gain; now say whether it reaches 20."),
+            wrong(lambda gains: [gain >= CLAIMED for gain in gains], "that answers for each drawing; asked is one answer."),
         ),
         hints=("which single drawing decides about 'all'?", "min(gains) >= 20."),
         inputs=tuple(

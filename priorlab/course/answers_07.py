@@ -72,6 +72,19 @@ def _range(rng: np.random.Generator) -> Exercise:
                 lambda: lambda depth, column: depth / math.cos(math.atan((column + 0.5) / _focal_length())),
                 "columns were counted from the left edge: the optical axis passes through the image's middle, column 320.",
             ),
+            Mistake(
+                lambda: with_focal(COLUMNS / 2 / math.tan(29)),
+                "degrees went into math.tan, which wants radians: math.radians(29).",
+            ),
+            Mistake(
+                lambda: lambda depth, column: depth / math.cos(math.degrees(math.atan(across(column, _focal_length())))),
+                "degrees went into math.cos, which wants radians.",
+            ),
+            Mistake(
+                lambda: lambda depth, column: depth * across(column, _focal_length()),
+                "that is how far to the side the thing lies, not how far away.",
+            ),
+            Mistake(lambda: lambda depth, column: 1000 * right(depth, column), "that is in millimetres; asked for are metres."),
         ),
         hints=(
             "first the focal length in pixels: half the width / tan(half the angle) = 320 / tan(29 degrees).",
@@ -100,6 +113,10 @@ def _strip(rng: np.random.Generator) -> Exercise:
         columns = [[int(v) for v in column if v > 0] for column in np.transpose(strip)]
         return [mean(column, len(column)) for column in columns]
 
+    def diluted(strip: Any) -> list[float]:
+        """Zeros averaged in, but a column of nothing else is no reading."""
+        return [value or math.inf for value in with_zeros(strip)]
+
     def with_zeros(strip: Any) -> list[float]:
         """Zeros averaged in."""
         return [mean([int(v) for v in column], len(column)) for column in np.transpose(strip)]
@@ -113,6 +130,11 @@ def _strip(rng: np.random.Generator) -> Exercise:
         because="a zero is no distance but a missing one: averaged in, it would put a wall where there is none.",
         mistakes=(
             Mistake(lambda: with_zeros, "the zeros were averaged in: divide by the number of pixels that HAVE a depth."),
+            Mistake(lambda: diluted, "the zeros were averaged in: divide by the number of pixels that HAVE a depth, not by all."),
+            Mistake(
+                lambda: lambda strip: [value for value in right(strip) if math.isfinite(value)],
+                "a column without any depth was left out: the answer has one number for each column, numpy.inf there.",
+            ),
             Mistake(
                 lambda: lambda strip: [0.0 if math.isinf(value) else value for value in right(strip)],
                 "a column without any depth came out as 0 m, a wall at the lens; it must be numpy.inf, no reading.",
@@ -155,6 +177,10 @@ def _row(rng: np.random.Generator) -> Exercise:
                 lambda: ROWS / 2 - _focal_length(FULL_ANGLE) * rise,
                 "half angle for full angle in the focal length: it is 320 / tan(29 degrees).",
             ),
+            Mistake(
+                lambda: ROWS / 2 - COLUMNS / 2 / math.tan(29) * rise,
+                "degrees went into math.tan, which wants radians: math.radians(29).",
+            ),
             Mistake(lambda: focal * rise, "that is how far above the middle; the middle is row 240."),
             Mistake(lambda: ROWS / 2 + focal * lens / depth, "that is where the wall meets the FLOOR, not its top."),
         ),
@@ -184,6 +210,8 @@ def _loss() -> Exercise:
 def _is_better(answer: Any) -> str | None:
     """None when the map got better, otherwise the numbers."""
     value = as_numbers(answer)
+    if value is not None and value.shape == () and 1 < value <= 90:
+        return f"that looks like per cent; as a share it is {value / 100:g}."
     if value is None or value.shape != () or not 0 <= value <= 0.9:
         return "one number between 0 and 0.9 is asked for."
     usual, lossy = _f2_of(USUAL_LOSS), _f2_of(float(value))

@@ -35,7 +35,7 @@ PRESETS: dict[str, dict[str, float]] = {
     "no plan": {"p_wall": 0.55, "p_space": 0.55},
     "half of the image lost": {"holes": 0.5},
     "strip too high": {"strip_row": 60},
-    "strip on the floor": {"strip_row": 400},
+    "strip on the floor": {"strip_row": 460},
 }
 
 
@@ -129,7 +129,7 @@ class DepthLab(Lab):
             ("at the left edge: depth, range", f"{_metres(depth)}, {_metres(edge)}"),
             ("columns without a reading", f"{lost:.0f} %"),
             ("left picture", DEPTH_LEGEND),
-            ("right picture", "dark orange: what the strip found"),
+            ("right picture", "the map, white = empty;<br>blue: camera, light blue: rays, dark orange: what the strip found"),
         ]
 
     def summary(self) -> str:

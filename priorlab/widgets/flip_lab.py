@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.grid_map import Prior
 from priorlab.core.log_odds import log_odds
@@ -18,7 +18,7 @@ from priorlab.optimize.sweep import Sweep
 from priorlab.plot.style import BLUE, RED
 from priorlab.widgets.lab import Lab, table
 from priorlab.widgets.picture import Picture
-from priorlab.widgets.plane import Plane, cividis
+from priorlab.widgets.plane import Plane
 from priorlab.widgets.sliders import Slider
 
 PRESETS: dict[str, dict[str, float]] = {
@@ -30,6 +30,8 @@ PRESETS: dict[str, dict[str, float]] = {
 }
 START = Prior(0.2, 0.9)
 NEVER_SEEN, ALWAYS_WALL, NEVER_WALL = (214, 214, 214), (0, 0, 0), (255, 255, 255)
+LOW, HIGH = (0, 114, 178), (255, 234, 70)
+"""Blue for a flip at 0, yellow for one at 1 or never: both stand out from black, white and grey."""
 GAINED, LOST = (213, 94, 0), (86, 180, 233)
 """Cells that became a wall, and that are none any more, since the thesis's prior."""
 CURVE = np.linspace(0.02, 1.0, 197)
@@ -73,7 +75,7 @@ class FlipLab(Lab):
             self._shown = flips
             self.pictures[0].show(
                 flips,
-                "For every cell the prior at which it flips: dark blue 0 to yellow 1; light grey: never seen, all flip at "
+                "For every cell the prior at which it flips: blue 0 to yellow 1; light grey: never seen, all flip at "
                 f"{self.sweep.threshold / self.sweep.factor:.3f}; black and white: wall or not, whatever the prior",
             )
         plane = curve.copy()
@@ -128,14 +130,24 @@ class FlipLab(Lab):
             ("became wall since (0.2, 0.9)", f"<b>{self.gained:,} cells</b>, orange on the right"),
             ("no longer wall", f"<b>{self.lost:,} cells</b>, light blue"),
             ("precision, recall, F2", f"{self.score.precision:.3f}, {self.score.recall:.3f}, <b>{self.score.f_beta:.3f}</b>"),
-            ("left: flips at", "dark blue 0 ... yellow 1;<br>light grey: never seen; black, white: no prior matters"),
+            ("left: flips at", "blue 0 ... yellow 1;<br>light grey: never seen; black, white: no prior matters"),
         ]
         self.readout.value = table(rows, caption="the prior at which each cell flips")
 
 
+def flip_colours(critical: ArrayLike) -> NDArray[np.uint8]:
+    """(..., 3) colours of critical priors: blue at 0, yellow at 1, straight between; nan as 0.
+
+    >>> flip_colours([[0.0, 0.5, 1.0]]).tolist()
+    [[[0, 114, 178], [128, 174, 124], [255, 234, 70]]]
+    """
+    share = np.clip(np.nan_to_num(np.asarray(critical, dtype=np.float64)), 0, 1)[..., None]
+    return np.rint(np.array(LOW) + share * (np.array(HIGH) - LOW)).astype(np.uint8)
+
+
 def _picture_of_flips(experiment: Experiment, sweep: Sweep, critical: NDArray[np.float64]) -> NDArray[np.uint8]:
     """Critical priors as colours."""
-    cells = cividis(critical)
+    cells = flip_colours(critical)
     fixed = sweep.direction == 0
     is_wall = experiment.map(Prior.uninformed()).detected(experiment.threshold)  # any prior: these cells do not ask
     cells[fixed & is_wall], cells[fixed & ~is_wall] = ALWAYS_WALL, NEVER_WALL
@@ -153,5 +165,5 @@ def _curves(experiment: Experiment, sweep: Sweep) -> Plane:
         tp, fp = steps.counts(l_0)
         plane.line(CURVE, (tp + fp) / max(1, int(experiment.pixels[:, cells].sum())), f"stroke='{colour}' stroke-width='2'")
     plane.words(0.45, 0.9, "blue: plan's walls", style=f"fill='{BLUE}'")
-    plane.words(0.45, 0.82, "red: plan's space", style=f"fill='{RED}'")
+    plane.words(0.45, 0.82, "orange: plan's space", style=f"fill='{RED}'")
     return plane

@@ -78,7 +78,7 @@ class PriorLab(Lab):
             warnings.simplefilter("ignore", OverruledSensorWarning)  # the readout says it, at every move
             self.map = update_map(self.prior_map, evidence)
         self.prior_score, self.score = score_map(self.prior_map, self._truth), score_map(self.map, self._truth)
-        self.wall_share = float((self.prior_map.log_odds == log_odds(self.prior.effective_p_wall)).mean())
+        self.wall_share = float(self.prior_map.grid.any_in_cells(walls.mask).mean())
         self._show(evidence)
 
     def reset(self) -> None:
@@ -144,11 +144,6 @@ class PriorLab(Lab):
         plane.points(self.prior.effective_p_space, l_space, "ring", RED, 7)
         plane.words(0.35, -4.5, "square: wall, ring: space")
         return plane.svg()
-
-
-def _effective(p: float, factor: float, effective: float, l_0: float) -> str:
-    """A slider's value, the factor, what counts, and its log odds."""
-    return f"{p:.2f} x {factor:g} = <b>{effective:.3f}</b>, l<sub>0</sub> = {l_0:+.2f}"
 
 
 def _line(score: Score) -> str:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from priorlab.core.building import Truth
 from priorlab.core.grid_map import GridMap
+from priorlab.core.log_odds import DETECTED_WALL
 from priorlab.core.picture import grey_of
 from priorlab.core.readings import Readings
 from priorlab.mapping.over_time import score_over_time
@@ -72,8 +73,9 @@ class TimeLab(Lab):
             (f"F2 {name}", f"<b>{value:.3f}</b>, at the start {self.over_time.f_beta[name][0]:.3f}")
             for name, value in self.f2.items()
         ]
-        rows += [("pictures", "the maps " + ", ".join(list(self.maps)[:2]))]
-        self.readout.value = table(rows)
+        shown = zip(("middle", "right"), self.maps, strict=False)
+        rows += [(f"{where} picture", f"{name}; white = empty") for where, name in shown]
+        self.readout.value = table(rows, caption=f"detected as wall: P(empty) &le; {DETECTED_WALL:g}")
 
     def summary(self) -> str:
         """How far, and every F2."""
@@ -96,5 +98,5 @@ class TimeLab(Lab):
         for i, ((name, curve), (colour, dashes)) in enumerate(zip(curves.items(), LINES, strict=False)):
             plane.line(steps, curve[steps], f"stroke='{colour}' stroke-width='2' {dashes}")
             plane.words(end, 0.06 + 0.07 * (len(curves) - 1 - i), f"{name}\u00a0", "end", f"fill='{colour}'")
-        plane.words(end, 0.06 + 0.07 * len(curves), "dotted: the first one's prior alone\u00a0", "end")
+        plane.words(end, 0.06 + 0.07 * len(curves), f"dotted: {next(iter(curves))}, before any look\u00a0", "end")
         return plane

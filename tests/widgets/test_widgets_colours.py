@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from priorlab.plot.extraction import FOUND, IGNORED, INVENTED, MISSED
-from priorlab.widgets.flip_lab import GAINED, LOST, NEVER_SEEN, NEVER_WALL
-from priorlab.widgets.plane import cividis
+from priorlab.widgets.flip_lab import GAINED, LOST, NEVER_SEEN, NEVER_WALL, flip_colours
 from priorlab.widgets.update_steps import FREE, WALL
 
 SEEN_BY = {
@@ -23,7 +22,7 @@ TOGETHER = {
     "what the score counts": (FOUND, INVENTED, MISSED, IGNORED, (255, 255, 255)),
     "what a reading said": (FREE, WALL, (255, 255, 255), (0, 0, 0)),
     "what flipped": (GAINED, LOST, (255, 255, 255), (0, 0, 0)),
-    "when a cell flips": (NEVER_SEEN, NEVER_WALL, (0, 0, 0), *map(tuple, cividis([[0.1, 0.5, 0.9]])[0])),
+    "when a cell flips": (NEVER_SEEN, NEVER_WALL, (0, 0, 0), *map(tuple, flip_colours([[0.0, 0.5, 1.0]])[0])),
 }
 
 
