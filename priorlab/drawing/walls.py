@@ -18,6 +18,7 @@ from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import outer_walls
 from priorlab.drawing.pieces import WallPiece, wall_pieces
 from priorlab.drawing.preprocessing import large_components, prepare
+from priorlab.drawing.runs import run_lengths
 from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
@@ -47,6 +48,9 @@ NEAR_JAMB = 0.15
 
 NEARLY = 0.95
 """Of hypotheses that are nearly as good as the best, the heaviest is taken: it holds the least furniture."""
+
+WALL_LENGTH = 0.1
+"""The longest straight stroke of a building is at least this share of the drawing's long side; letters are shorter."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,9 +176,12 @@ def choose(hypotheses: Sequence[Hypothesis], worths: Sequence[float]) -> Hypothe
     """The most wall-like hypothesis; the heaviest of those that are nearly as good.
 
     Where solid strokes make up most of the best one, they are taken: they need no guess about what lies between lines.
+    Where none is worth anything and no stroke is as long as a wall, as on a page of text, nothing is a wall.
     """
     pairs = list(zip(hypotheses, worths, strict=True))
     best, most = max(pairs, key=lambda pair: pair[1])
+    if not most > 0 and not any(_longest_run(h.walls) >= WALL_LENGTH * max(h.walls.shape) for h in hypotheses):
+        return replace(best, walls=np.zeros_like(best.walls))
     if best.weight:
         best = max((h for h, worth in pairs if worth >= NEARLY * most), key=lambda h: h.weight)
     solid = [
@@ -183,6 +190,11 @@ def choose(hypotheses: Sequence[Hypothesis], worths: Sequence[float]) -> Hypothe
         if h.solid and h.weight >= best.weight and (h.walls & best.walls).sum() >= SOLID_COVERS * best.walls.sum()
     ]
     return max(solid, key=lambda pair: pair[1])[0] if solid else best
+
+
+def _longest_run(walls: NDArray[np.bool_]) -> int:
+    """Pixels in the longest straight run along either axis."""
+    return max(int(run_lengths(walls, axis).max(initial=0)) for axis in (0, 1))
 
 
 def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDArray[np.bool_]) -> float:

@@ -11,7 +11,7 @@ from priorlab.drawing.long_cells import long_cells
 from priorlab.drawing.method import THESIS
 from priorlab.drawing.pieces import wall_pieces
 from priorlab.drawing.wall_sizes import WallSizes
-from priorlab.drawing.walls import detect_walls
+from priorlab.drawing.walls import choose, detect_walls
 from priorlab.drawing.weight import Hypothesis, slenderness
 from priorlab.drawing.windows import window_bridges, window_panes
 
@@ -206,3 +206,12 @@ def test_detect_walls_thesis_finds_none_without_doors():
     for k, y in enumerate(range(40, 260, 30)):
         cv2.putText(grey, f"LINE {k} OF TEXT", (30, y), cv2.FONT_HERSHEY_SIMPLEX, 0.9, 0, 2)
     assert not detect_walls(Drawing(grey), (), THESIS).mask.any()
+
+
+def test_choose_takes_nothing_where_strokes_are_as_short_as_letters():
+    letters, frame = np.zeros((2, 60, 90), dtype=bool)
+    letters[10:16, ::12] = True
+    frame[10, 5:80] = True
+    nothing = Hypothesis("lines", np.zeros((60, 90), dtype=bool), 0.0)
+    assert not choose([nothing, Hypothesis("strokes", letters, 0.0, solid=True, weight=4.0)], [0.0, 0.0]).walls.any()
+    assert choose([nothing, Hypothesis("strokes", frame, 0.0, solid=True, weight=4.0)], [0.0, 0.0]).walls.any()
