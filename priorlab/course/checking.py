@@ -76,6 +76,8 @@ def check(name: str, answer: Any, seed: int = 0) -> Verdict:
         given = exercise.values(answer)
     except Exception as error:  # the learner's own function; whatever it raises is their next clue
         return Verdict(False, f"Not yet: your function stopped with {type(error).__name__}: {error}.")
+    if exercise.inputs and any(value is None for value in given):
+        return Verdict(False, "Not yet: your function returns nothing; is `return` missing?")
     if exercise.inputs and any(_is_unsolved(value) for value in given):
         return Verdict(False, f"Not yet: replace the dots by your answer to {name}.")
     if exercise.accept is not None:
@@ -86,7 +88,7 @@ def check(name: str, answer: Any, seed: int = 0) -> Verdict:
     for mistake in exercise.mistakes:
         if exercise.agree(given, exercise.values(mistake.answer())):
             return Verdict(False, f"Not quite: {mistake.says}")
-    return _hint(name, exercise, "that is not it.")
+    return _hint(name, exercise, exercise.other_kind(given) or "that is not it.")
 
 
 def _find(name: str, seed: int) -> Exercise:

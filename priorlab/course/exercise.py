@@ -54,6 +54,17 @@ class Exercise:
         """What is compared: the answer itself, or what the function that was asked for returns on the inputs."""
         return [answer(*arguments) for arguments in self.inputs] if self.inputs else answer
 
+    def other_kind(self, given: Any) -> str | None:
+        """What an answer is instead of what was asked for: no numbers, or too many of them; None when it is of the right kind."""
+        one, right = as_numbers(given), as_numbers(self.values(self.answer()))
+        if one is None:
+            seen = given[0] if self.inputs else given
+            return f"that is no number but {type(seen).__name__}." if right is not None else None
+        if right is None or one.shape == right.shape:
+            return None
+        start = 1 if self.inputs else 0  # one answer for each input
+        return f"asked is {_shape(right.shape[start:])}, you gave {_shape(one.shape[start:])}."
+
     def agree(self, first: Any, second: Any) -> bool:
         """True when two answers are one."""
         one, other = as_numbers(first), as_numbers(second)
@@ -74,3 +85,10 @@ def as_numbers(answer: Any) -> np.ndarray | None:
         return np.asarray(answer, dtype=np.float64)
     except (TypeError, ValueError):
         return None
+
+
+def _shape(shape: tuple[int, ...]) -> str:
+    """In words."""
+    if len(shape) > 1:
+        return " x ".join(map(str, shape)) + " numbers"
+    return "one number" if not shape else f"a list of {shape[0]} number" + "s" * (shape[0] != 1)

@@ -120,3 +120,12 @@ def test_worse_judges_by_running_the_map(monkeypatch):
 def test_worse_really_runs_the_notebooks_map():
     assert check("00.worse", (0.9, 0.2)).right
     assert "without a prior 0." in check("00.worse", (0.2, 1.0)).says  # breaks eq. 2.22, which is no reason to warn here
+
+
+def test_check_tells_an_answer_of_another_kind():
+    assert "asked is one number, you gave a list of 3 numbers" in check("04.one_cell", [1.0, 2.0, 3.0]).says
+    assert "that is no number but str" in check("04.one_cell", "wall").says
+
+
+def test_check_misses_the_return():
+    assert "is `return` missing?" in check("04.closed_form", lambda *arguments: None).says
