@@ -13,6 +13,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.interchange.text_lines import numbered_lines
+
 Box = tuple[float, float, float, float]
 
 _RAIL = "2"
@@ -51,16 +53,12 @@ def read_r2v(path: str | Path) -> LineFlat:
     FileNotFoundError
         When there is no such file.
     ValueError
-        When a line is not as the format has it (with its number), or no wall is in the file.
+        When it is no text, a line is not as the format has it (with its number), or no wall is in the file.
     """
     path = Path(path)
-    if not path.is_file():
-        raise FileNotFoundError(f"a flat must be a text file, got {path}, which does not exist")
     lines: dict[str, list[Box]] = {"walls": [], "rails": [], "openings": []}
     things = []
-    for number, text in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
-        if not text.strip():
-            continue
+    for number, text in numbered_lines(path, "a flat"):
         kind, kind_number, box = _parsed(text, f"{path.name}, line {number}")
         if kind == "wall":
             lines["rails" if kind_number == _RAIL else "walls"].append(box)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.checks import check_poses
+from priorlab.interchange.text_lines import numbered_lines
 
 _TILT = 1e-3
 """Rolling or pitching by more (radians), or climbing by more (metres), leaves the plane."""
@@ -54,20 +54,14 @@ def read_relations(path: str | os.PathLike[str]) -> Relations:
         When it is no text or holds no relation, when a line does not hold eight finite numbers, or when it leaves the plane.
 
     >>> import tempfile
+    >>> from pathlib import Path
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     _ = Path(folder, "a.relations").write_text("10.5 12.0  0.4 0.1 0  0 0 1.57\\n")
     ...     relations = read_relations(f"{folder}/a.relations")
     >>> relations.stamps.tolist(), relations.steps.tolist()
     ([[10.5, 12.0]], [[0.4, 0.1, 1.57]])
     """
-    path = Path(path)
-    if not path.is_file():
-        raise FileNotFoundError(f"the relations must be a file, found none at {path}")
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except UnicodeDecodeError:
-        raise ValueError(f"the relations must be text, got something else in {path}") from None
-    rows = [_row(line, number) for number, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
+    rows = [_row(line, number) for number, line in numbered_lines(path, "the relations")]
     if not rows:
         raise ValueError(f"the file must hold at least one relation, got none in {path}")
     table = np.array(rows)

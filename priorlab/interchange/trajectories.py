@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from priorlab.core.checks import check_poses
 from priorlab.core.files import check_free, write_file
 from priorlab.core.pose import wrap_angle
+from priorlab.interchange.text_lines import numbered_lines
 
 _TILT = 1e-3
 """A quaternion with more in qx or qy leaves the plane."""
@@ -63,14 +64,7 @@ def read_tum(path: str | os.PathLike[str]) -> tuple[NDArray[np.float64], NDArray
     ValueError
         When a line does not hold eight finite numbers, the quaternion is 0, or it tilts out of the plane.
     """
-    path = Path(path)
-    if not path.is_file():
-        raise FileNotFoundError(f"the trajectory must be a file, found none at {path}")
-    try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except UnicodeDecodeError:
-        raise ValueError(f"the trajectory must be text, got something else in {path}") from None
-    rows = [_row(line, number) for number, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith("#")]
+    rows = [_row(line, number) for number, line in numbered_lines(path, "the trajectory")]
     table = np.array(rows, dtype=np.float64).reshape(-1, 8)
     qz, qw = table[:, 6], table[:, 7]
     theta = wrap_angle(2 * np.arctan2(qz, qw))

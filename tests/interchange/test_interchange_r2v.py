@@ -45,5 +45,11 @@ def test_read_r2v_says_what_is_wrong(tmp_path, text, sentence):
 
 
 def test_read_r2v_of_no_file(tmp_path):
-    with pytest.raises(FileNotFoundError, match="which does not exist"):
+    with pytest.raises(FileNotFoundError, match="a flat must be a file, found none at"):
         read_r2v(tmp_path / "nothing.txt")
+
+
+def test_read_r2v_of_no_text(tmp_path):
+    (tmp_path / "flat.txt").write_bytes(b"\xff\xfe\x00\x81")
+    with pytest.raises(ValueError, match="a flat must be text, got something else in"):
+        read_r2v(tmp_path / "flat.txt")
