@@ -13,14 +13,16 @@ from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
 from priorlab.core.shipped import nearest_name
 from priorlab.mapping.overruled import warn_when_overruled
+from priorlab.slam.estimate import estimate_pose
 from priorlab.slam.likelihood_field import LikelihoodField
-from priorlab.slam.localization import localise
+from priorlab.slam.localization import choose, predict, weigh
 from priorlab.slam.map_update import see_cells, update_seen
 from priorlab.slam.measurement import share_explained
 from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.particles import start_particles
 from priorlab.slam.recording import Recorder, Run
 from priorlab.slam.scan import choose_beams
+from priorlab.slam.state import State, Step
 
 
 class FastSLAM:
@@ -53,7 +55,7 @@ class FastSLAM:
         rng: np.random.Generator,
         progress: Callable[[int, int], None] | None = None,
     ) -> Run:
-        """Drive through a log once.
+        """Drive through a log once: `start`, then `step` by step, then `finish`.
 
         Parameters
         ----------
@@ -76,31 +78,54 @@ class FastSLAM:
         OverruledSensorWarning
             When the prior is surer than the sensor (eq. 2.22).
         """
+        state = self.start(prior_map, log, rng)
+        while not state.done:
+            self.step(state)
+            if progress:
+                progress(state.step, len(log))
+        return self.finish(state)
+
+    def start(self, prior_map: GridMap, log: RobotLog, rng: np.random.Generator) -> State:
+        """The state before the first step; arguments, errors and warnings are those of `run`."""
         rng = check_rng(rng)
-        parameters, grid = self.parameters, prior_map.grid
+        parameters = self.parameters
         plan = LikelihoodField.of(prior_map, parameters)
         _check_start(plan, prior_map, log)
         warn_when_overruled(prior_map.prior, parameters.p_free, parameters.p_occupied, parameters.lam)
-
-        updated = parameters.localize_in == "updated"
-        field = plan.copy() if updated else plan
-        log_odds_map = prior_map.log_odds.copy()  # the one thing that changes in place
         particles = start_particles(log.start, parameters.particle_limits[1], parameters.start_variances, rng)
-        recorder = Recorder()
-        for k in range(len(log)):
-            scan = choose_beams(log, k, parameters)
-            before, after = log.odometry[max(k - 1, 0)], log.odometry[k]
-            resample_now = (k + 1) % parameters.resampling_interval == 0
-            here = localise(particles, before, after, scan, field, rng, parameters, resample_now)  # algorithm 6.2
-            seen = see_cells(grid, here.pose, scan, parameters)
-            update_seen(log_odds_map, prior_map.log_odds, seen, parameters)  # algorithm 6.5
-            if updated:
-                field.refresh(log_odds_map, seen.rows, seen.cols)
-            particles = here.particles
-            recorder.add(here, share_explained(here.pose, scan, plan))
-            if progress:
-                progress(k + 1, len(log))
-        return recorder.finish(prior_map, log, parameters, GridMap(log_odds_map, grid, prior_map.prior))
+        field = plan.copy() if parameters.localize_in == "updated" else plan
+        return State(prior_map, log, plan, 0, particles, prior_map.log_odds.copy(), field, rng, Recorder())
+
+    def step(self, state: State) -> Step:
+        """One iteration of algorithm 6.1: Localise (algorithm 6.2), UpdateOccupancyGridMap (algorithm 6.5). Moves `state` on.
+
+        Raises
+        ------
+        ValueError
+            When the log has no further step.
+        """
+        if state.done:
+            raise ValueError(f"step must be below the {len(state.log)} scans of the log, got {state.step}")
+        parameters, log, k = self.parameters, state.log, state.step
+        scan = choose_beams(log, k, parameters)
+        moved = predict(state.particles, log.odometry[max(k - 1, 0)], log.odometry[k], state.rng, parameters)
+        weighed = weigh(moved, scan, state.field)
+        pose = estimate_pose(weighed, parameters)
+        resample_now = (k + 1) % parameters.resampling_interval == 0 and len(scan) > 0  # no return: nothing was learnt
+        particles = choose(weighed, state.rng, parameters) if resample_now else weighed
+        seen = see_cells(state.prior_map.grid, pose, scan, parameters)
+        update_seen(state.log_odds, state.prior_map.log_odds, seen, parameters)
+
+        if parameters.localize_in == "updated":
+            state.field.refresh(state.log_odds, seen.rows, seen.cols)
+        done = Step(k, scan, moved, weighed, pose, particles, seen)
+        state.recorder.add(done, share_explained(pose, scan, state.plan))
+        state.step, state.particles = k + 1, particles
+        return done
+
+    def finish(self, state: State) -> Run:
+        """The record of the steps made so far; of all of them when the state is done."""
+        return state.recorder.finish(state.prior_map, state.log, self.parameters, state.map)
 
 
 def _check_start(plan: LikelihoodField, prior_map: GridMap, log: RobotLog) -> None:

@@ -1,13 +1,15 @@
-"""Algorithm 6.2, Monte Carlo localization: move the particles, weigh them, say where the robot is, draw the next particles."""
+"""The parts of algorithm 6.2, Monte Carlo localization: move the particles, weigh them, draw the next ones.
+
+`FastSLAM.step` calls them in turn, with `estimate_pose` between weighing and drawing.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.slam.estimate import estimate_pose
 from priorlab.slam.kld import kld_count, number_bins, pose_bins
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.measurement import log_weights
@@ -18,48 +20,19 @@ from priorlab.slam.resampling import resample
 from priorlab.slam.scan import Scan
 
 
-@dataclass(frozen=True, eq=False)
-class Localized:
-    """What one step of localization says.
+class Localized(Protocol):
+    """What every step of localization says, however it was made (`Step` does).
 
-    Parameters
-    ----------
-    pose : (3,) the estimate x, y, theta; metres
-    weighed : the particles with their weights, before resampling
-    particles : those that go on
+    `pose`: (3,) the estimate x, y, theta, metres. `weighed`: the particles with their weights, before resampling. `particles`:
+    those that go on.
     """
 
-    pose: NDArray[np.float64]
-    weighed: Particles
-    particles: Particles
-
-
-def localise(
-    particles: Particles,
-    before: ArrayLike,
-    after: ArrayLike,
-    scan: Scan,
-    field: LikelihoodField,
-    rng: np.random.Generator,
-    parameters: Parameters = TUNED,
-    resample_now: bool = True,
-) -> Localized:
-    """One step of algorithm 6.2.
-
-    Parameters
-    ----------
-    particles : the belief so far
-    before, after : (3,) odometry poses, the control u_k
-    scan : z_k; without a return it neither weighs nor resamples
-    field : likelihood field of the map m_{k-1}
-    rng : for the motion and for the draws
-    resample_now : False in the steps between two resamplings; the weights then pile up
-    """
-    moved = predict(particles, before, after, rng, parameters)
-    weighed = weigh(moved, scan, field)
-    pose = estimate_pose(weighed, parameters)
-    chosen = choose(weighed, rng, parameters) if resample_now and len(scan) else weighed
-    return Localized(pose, weighed, chosen)
+    @property
+    def pose(self) -> NDArray[np.float64]: ...
+    @property
+    def weighed(self) -> Particles: ...
+    @property
+    def particles(self) -> Particles: ...
 
 
 def predict(

@@ -14,8 +14,9 @@ import pytest
 
 from priorlab.core.grid import Grid
 from priorlab.core.grid_map import GridMap
+from priorlab.slam.estimate import estimate_pose
 from priorlab.slam.likelihood_field import LikelihoodField
-from priorlab.slam.localization import localise
+from priorlab.slam.localization import choose, predict, weigh
 from priorlab.slam.map_update import see_cells, update_seen
 from priorlab.slam.measurement import log_weights
 from priorlab.slam.parameters import TUNED
@@ -136,8 +137,10 @@ def test_bench_slam_whole_step(scene):
     everywhere = (slice(0, prior_map.grid.shape[0]), slice(0, prior_map.grid.shape[1]))
 
     def step(window: bool) -> None:
-        here = localise(particles, [0, 0, 0], [0.1, 0, 0.02], scan, field, rng, parameters)
-        seen = see_cells(prior_map.grid, here.pose, scan, parameters)
+        weighed = weigh(predict(particles, [0, 0, 0], [0.1, 0, 0.02], rng, parameters), scan, field)
+        pose = estimate_pose(weighed, parameters)
+        choose(weighed, rng, parameters)
+        seen = see_cells(prior_map.grid, pose, scan, parameters)
         update_seen(log_odds_map, prior_map.log_odds, seen, parameters)
         field.refresh(log_odds_map, *((seen.rows, seen.cols) if window else everywhere))
 

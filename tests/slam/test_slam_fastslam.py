@@ -17,7 +17,7 @@ from priorlab.slam.localization import choose, predict, weigh
 from priorlab.slam.map_update import see_cells, update_seen
 from priorlab.slam.measurement import share_explained
 from priorlab.slam.parameters import TABLE_6_1, TUNED, Parameters
-from priorlab.slam.particles import start_particles
+from priorlab.slam.particles import Particles, start_particles
 from priorlab.slam.scan import choose_beams
 from priorlab.slam.trajectory_error import absolute_trajectory_error_m, dead_reckoning
 
@@ -49,6 +49,47 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in)
         particles = choose(particles, rng, parameters) if len(scan) else particles
         update_seen(log_odds_map, slam_prior.log_odds, see_cells(slam_prior.grid, pose, scan, parameters), parameters)
     assert np.array_equal(log_odds_map, run.map.log_odds)
+
+
+def test_run_equals_start_steps_and_finish(slam_prior, drive_log):
+    log, slam = first_steps(drive_log, 25), FastSLAM(localize_in="updated", resampling_interval=2)
+    run = slam.run(slam_prior, log, np.random.default_rng(3))
+    state = slam.start(slam_prior, log, np.random.default_rng(3))
+    for k in range(len(log)):
+        assert not state.done and state.step == k
+        before = state.particles
+        step = slam.step(state)
+        assert step.number == k and np.array_equal(step.pose, run.trajectory[k])
+        assert np.array_equal(step.moved.log_weights, before.log_weights)  # moving tells nothing
+        assert np.array_equal(step.weighed.poses, step.moved.poses)
+        assert (step.particles is step.weighed) == (k % 2 == 0 or len(step.scan) == 0) and state.particles is step.particles
+        assert np.array_equal(state.map.log_odds, run.at(k).log_odds)
+    assert state.done and f"before step {len(log)}" in repr(state) and f"Step({len(log) - 1}" in repr(step)
+    with pytest.raises(ValueError, match="step must be below the 25 scans of the log, got 25"):
+        slam.step(state)
+    assert np.array_equal(slam.finish(state).map.log_odds, run.map.log_odds)
+
+
+@pytest.mark.parametrize("localize_in", ["updated", "static"])
+def test_state_taken_up_again_goes_on_as_if_nothing_had_happened(slam_prior, drive_log, localize_in):
+    log, slam = first_steps(drive_log, 30), FastSLAM(localize_in=localize_in)
+    whole = slam.run(slam_prior, log, np.random.default_rng(3))
+    first = slam.start(slam_prior, log, np.random.default_rng(3))
+    for _ in range(12):
+        slam.step(first)
+    kept = first.rng.bit_generator.state, first.particles.poses.copy(), first.log_odds.copy()
+    while not first.done:  # goes on: what was kept must not hang on it
+        slam.step(first)
+
+    again = slam.start(slam_prior, log, np.random.default_rng(99))
+    again.rng.bit_generator.state, again.particles, again.log_odds = kept[0], Particles(kept[1]), kept[2]
+    again.step = 12
+    if localize_in == "updated":
+        again.field = LikelihoodField.of(again.map, slam.parameters)
+    while not again.done:
+        slam.step(again)
+    assert np.array_equal(again.recorder.poses, whole.trajectory[12:])
+    assert np.array_equal(again.log_odds, whole.map.log_odds)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])

@@ -1,0 +1,86 @@
+"""A drive that is under way: what changes from step to step, and what one step made of a scan."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.grid_map import GridMap
+from priorlab.core.readings import RobotLog
+from priorlab.slam.likelihood_field import LikelihoodField
+from priorlab.slam.map_update import SeenCells
+from priorlab.slam.particles import Particles
+from priorlab.slam.recording import Recorder
+from priorlab.slam.scan import Scan
+
+
+@dataclass(eq=False)
+class State:
+    """Where a drive stands before its next step. `FastSLAM.step` moves it on; nothing else of a run changes.
+
+    Parameters
+    ----------
+    prior_map, log, plan : m_0, the drive and the field of m_0; these never change
+    step : number of the next step
+    particles : the belief so far
+    log_odds : (rows, cols) m_{k-1}; a step writes into it
+    field : the likelihood field that the robot localizes in; a step writes into it when it is that of the growing map
+    rng : for the motion and the draws; `rng.bit_generator.state` is all that there is to remember of it
+    recorder : the steps that were made
+    """
+
+    prior_map: GridMap
+    log: RobotLog
+    plan: LikelihoodField
+    step: int
+    particles: Particles
+    log_odds: NDArray[np.float64]
+    field: LikelihoodField
+    rng: np.random.Generator
+    recorder: Recorder
+
+    @property
+    def done(self) -> bool:
+        """True when the log has no further step."""
+        return self.step >= len(self.log)
+
+    @property
+    def map(self) -> GridMap:
+        """m_{k-1}, a copy that the next step leaves alone."""
+        return GridMap(self.log_odds.copy(), self.prior_map.grid, self.prior_map.prior)
+
+    def __repr__(self) -> str:
+        return f"State(before step {self.step} of {len(self.log)}, {self.particles!r})"
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """What one iteration of algorithm 6.1 did, part by part.
+
+    Parameters
+    ----------
+    number : k
+    scan : the beams that counted
+    moved : the particles after the motion model
+    weighed : the same with their weights
+    pose : (3,) the estimate x, y, theta; metres
+    particles : those that go on
+    seen : the cells that the scan saw from the estimate
+    """
+
+    number: int
+    scan: Scan
+    moved: Particles
+    weighed: Particles
+    pose: NDArray[np.float64]
+    particles: Particles
+    seen: SeenCells
+
+    def __repr__(self) -> str:
+        x, y, theta = self.pose
+        return (
+            f"Step({self.number}: {len(self.scan)} beams, {len(self.weighed)} particles, "
+            f"ESS {self.weighed.effective_number:.0f}, at x {x:.2f}, y {y:.2f} m, {np.degrees(theta):.0f} degrees)"
+        )
