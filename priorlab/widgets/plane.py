@@ -105,6 +105,13 @@ class Plane:
         points = " ".join(f"{a:.1f},{b:.1f}" for a, b in at)
         self._parts.append(f"<polyline points='{points}' fill='none' {style}/>")
 
+    def strokes(self, starts: ArrayLike, ends: ArrayLike, style: str) -> None:
+        """Many short lines at once, from (N, 2) points to (N, 2) points; a round line cap makes dots of those without length."""
+        (x0, y0), (x1, y1) = (np.asarray(points, dtype=np.float64).reshape(-1, 2).T for points in (starts, ends))
+        at = np.column_stack([self.at_x(x0), self.at_y(y0), self.at_x(x1), self.at_y(y1)]).tolist()
+        path = "".join(f"M{a:.1f} {b:.1f}L{c:.1f} {d:.1f}" for a, b, c, d in at)
+        self._parts.append(f"<path d='{path}' fill='none' {style}/>")
+
     def points(self, x: ArrayLike, y: ArrayLike, marker: str, colour: str, size: float = 4) -> None:
         """Markers: "ring", "square", "dot" or "cross"."""
         xs, ys = np.ravel(np.asarray(x, dtype=np.float64)), np.ravel(np.asarray(y, dtype=np.float64))
