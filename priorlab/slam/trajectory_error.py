@@ -53,12 +53,27 @@ def relative_pose_error_m(estimated: ArrayLike, truth: ArrayLike, delta: int = 1
     >>> relative_pose_error_m(still, still + [7, 0, 0])              # a constant offset is no drift
     0.0
     """
+    error = _errors_of_motion(estimated, truth, delta)
+    return float(np.sqrt(np.mean(np.square(error[:, :2]).sum(axis=1))))
+
+
+def relative_heading_error(estimated: ArrayLike, truth: ArrayLike, delta: int = 1) -> float:
+    """The other half of the RPE: sqrt(mean(rotation of the error of every motion over `delta` steps^2)), radians.
+
+    >>> turning = np.array([[0, 0, 0], [0, 0, 1.0], [0, 0, 2.0]])
+    >>> round(relative_heading_error(turning * 1.25, turning), 9)     # a quarter too much at every step
+    0.25
+    """
+    return float(np.sqrt(np.mean(np.square(_errors_of_motion(estimated, truth, delta)[:, 2]))))
+
+
+def _errors_of_motion(estimated: ArrayLike, truth: ArrayLike, delta: int) -> NDArray[np.float64]:
+    """(T - delta, 3) what is left of every estimated motion when the true one is taken off: x, y, theta."""
     estimated, truth = _paired(estimated, truth)
     if not 1 <= delta < len(truth):
         raise ValueError(f"delta must be at least 1 and below the {len(truth)} poses, got {delta}")
     moved, truly_moved = (relative(poses[:-delta], poses[delta:]) for poses in (estimated, truth))
-    error = relative(truly_moved, moved)
-    return float(np.sqrt(np.mean(np.square(error[:, :2]).sum(axis=1))))
+    return relative(truly_moved, moved)
 
 
 def dead_reckoning(log: RobotLog) -> NDArray[np.float64]:

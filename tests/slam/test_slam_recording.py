@@ -1,16 +1,21 @@
 """A run's record: maps replayed at any step, another prior fed by the same poses, the npz file."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from priorlab.core.building import Truth
 from priorlab.core.grid_map import Prior
 from priorlab.core.readings import RobotLog
 from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.lost import lost_because
-from priorlab.slam.map_update import FREE, OCCUPIED, see_cells
+from priorlab.slam.map_update import FREE, OCCUPIED, see_cells, update_seen
+from priorlab.slam.particles import Particles
+from priorlab.slam.recording import Recorder
 from priorlab.slam.run_file import load_run, save_run
+from priorlab.slam.sample_packing import pack_sample, unpack_sample
 from priorlab.slam.scan import choose_beams
 
 
@@ -35,12 +40,53 @@ def test_at_replays_the_run_to_the_last_bit(run):
     assert np.array_equal(run.at(len(run) - 1).log_odds, run.map.log_odds)
 
 
-@pytest.mark.parametrize("step", [0, 1, 48, 49, 50, 99, 137, 269])
+@pytest.mark.parametrize("step", [0, 1, 6, 7, 8, 62, 63, 64, 99, 137, 269])
 def test_at_equals_the_closed_form_of_the_first_steps(run, slam_prior, step):
     assert np.allclose(run.at(step).log_odds, counted_map(run, slam_prior, step + 1), atol=1e-9)
 
 
-def test_at_does_not_spoil_its_keyframes(run):
+def test_at_equals_the_map_of_a_shorter_drive_to_the_last_bit(run, slam_prior):
+    log_odds_map = slam_prior.log_odds.copy()
+    for k in range(len(run)):
+        scan = choose_beams(run.log, k, run.parameters)
+        update_seen(log_odds_map, slam_prior.log_odds, see_cells(slam_prior.grid, run.trajectory[k], scan, run.parameters))
+        if k % 13 == 0 or k in (7, 63, 127, 255):
+            assert np.array_equal(run.at(k).log_odds, log_odds_map)
+
+
+def test_at_keeps_little(run):
+    run.at(0)
+    assert run.replay.nbytes < 10 * run.map.log_odds.nbytes  # a map per step would be 270
+
+
+def test_first_seen_and_coverage_agree_with_a_slow_count(run, floor, slam_prior):
+    first_seen = np.full(slam_prior.grid.shape, len(run))
+    for k in reversed(range(len(run))):
+        seen = see_cells(slam_prior.grid, run.trajectory[k], choose_beams(run.log, k, run.parameters), run.parameters)
+        for row, col in zip(*np.nonzero(seen.labels), strict=True):
+            first_seen[row + seen.rows.start, col + seen.cols.start] = k
+    assert np.array_equal(run.replay.first_seen, first_seen)
+    ignore = np.zeros_like(floor[0])
+    ignore[:, :100] = True
+    truth = Truth(floor[0], ignore)
+    for step in (0, 40, 200, -1):
+        walls = [(row, col) for row, col in zip(*np.nonzero(floor[0]), strict=True) if col >= 100]
+        covered = sum(first_seen[place] <= (step if step >= 0 else 269) for place in walls)  # cells are pixels here
+        assert run.coverage(truth, step) == pytest.approx(covered / len(walls), abs=1e-12)
+    assert 0 < run.coverage(truth, 40) < run.coverage(truth) < 1
+
+
+def test_coverage_says_what_is_wrong(run, floor):
+    nothing = np.zeros_like(floor[0])
+    with pytest.raises(ValueError, match="step must lie between 0 and 269, got 270"):
+        run.coverage(Truth(floor[0], nothing), 270)
+    with pytest.raises(ValueError, match=r"map and truth must have one shape, got \(160, 280\) and \(159, 280\)"):
+        run.coverage(Truth(floor[0][1:], nothing[1:]))
+    with pytest.raises(ValueError, match="the truth must hold a wall to be covered, got none"):
+        run.coverage(Truth(nothing, nothing))
+
+
+def test_at_does_not_spoil_what_is_kept(run):
     first = run.at(60).log_odds
     run.at(60).log_odds[:] = 7.0
     assert np.array_equal(run.at(60).log_odds, first)
@@ -70,6 +116,38 @@ def test_run_shows_itself(run):
     assert run.rpe_m() < 0.05
 
 
+def test_summary_tells_the_numbers(run, floor):
+    truth = Truth(floor[0], np.zeros_like(floor[0]))
+    line = run.summary(truth)
+    assert line.startswith(f"270 steps, ATE {run.ate_m():.3f} m, RPE ") and line.endswith("of the walls seen")
+    assert f"{run.rpe_deg():.2f} degrees a step" in line and "1500 to 4500 particles" in line
+    astray = replace(run, trajectory=run.trajectory + [3, 0, 0])
+    assert astray.summary().startswith("LOST (the estimate is more than 1 m off the true position from step 0")
+    blind = replace(run, log=replace(run.log, truth=None))
+    assert "ATE" not in blind.summary() and blind.summary().startswith("270 steps, 1500 to 4500 particles, ESS ")
+
+
+def test_sample_is_some_of_the_particles_to_the_millimetre():
+    rng = np.random.default_rng(0)
+    poses = rng.normal(0, [0.2, 0.2, 0.05], (1000, 3)) + [3, -4, 1]
+    recorder = Recorder()
+    recorder.add(SimpleNamespace(pose=poses[0], weighed=Particles(poses), particles=Particles(poses)), 0.5)
+    sample = recorder.samples[0].astype(float)
+    assert sample.shape == (300, 3) and (np.diff(sample[:, 0]) >= 0).all()
+    near = np.abs(sample[:, None] - poses).max(axis=2).min(axis=1)
+    assert near.max() <= 0.0005 + 1e-6
+    assert sample.mean(axis=0) == pytest.approx(poses.mean(axis=0), abs=0.03)
+
+
+@pytest.mark.parametrize("far_m", [0.0, -50.0, 9e5])
+def test_packed_samples_come_back_to_the_last_bit(far_m):
+    rng = np.random.default_rng(1)
+    sample = np.rint(1000 * rng.normal(0, [0.3, 0.3, 3], (20, 50, 3)) + far_m) / 1000
+    for some in (sample, sample[:, :1], rng.normal(0, 1, (4, 5, 3))):  # the last one is no whole millimetres
+        some = some.astype(np.float32)
+        assert np.array_equal(unpack_sample(pack_sample(some)), some)
+
+
 def test_run_file_brings_everything_back(run, tmp_path):
     save_run(run, tmp_path / "drive.npz")
     again = load_run(tmp_path / "drive.npz")
@@ -83,7 +161,7 @@ def test_run_file_brings_everything_back(run, tmp_path):
         run.log.scanner,
     )
     assert repr(again) == repr(run)
-    assert (tmp_path / "drive.npz").stat().st_size < 2_000_000
+    assert (tmp_path / "drive.npz").stat().st_size < 500_000
 
 
 def test_run_file_overwrites_nothing_unasked(run, tmp_path):
