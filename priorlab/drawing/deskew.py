@@ -30,6 +30,15 @@ PEAK_SHARE = 0.25
 STRAIGHT_SHARE = 0.2
 """A sheet with so much straight length, as a share of the peak's, is not askew: a wing of the building is."""
 
+WING_OFF = 2.0
+"""Walls within so many degrees of an axis stand along it."""
+
+WING_SHARE = 0.04
+"""So much of the length of all outlines has the angle of a wing."""
+
+MOST_WINGS = 2
+"""Angles of wings that are told apart."""
+
 
 @dataclass(frozen=True, eq=False)
 class Turn:
@@ -135,6 +144,33 @@ def find_skew(grey: NDArray[np.uint8]) -> float:
         if straight > STRAIGHT_SHARE * agreed:
             return 0.0
     return float(peak)
+
+
+def wing_angles(walls: NDArray[np.bool_]) -> list[float]:
+    """Angles off the axes at which parts of a building stand, degrees counter-clockwise as one sees it, longest first.
+
+    Parameters
+    ----------
+    walls : (height, width) bool, whose outlines are looked at
+
+    >>> wing = np.zeros((200, 300), dtype=np.uint8)
+    >>> _ = cv2.rectangle(wing, (20, 20), (120, 120), 1, 5), cv2.line(wing, (120, 60), (280, 140), 1, 5)
+    >>> [round(angle) for angle in wing_angles(wing > 0)]
+    [-27]
+    """
+    angles, lengths = _segments(np.where(walls, 0, 255).astype(np.uint8))
+    found: list[float] = []
+    off = np.abs(angles) > WING_OFF
+    while len(found) < MOST_WINGS and lengths[off].sum() >= WING_SHARE * lengths.sum() > 0:
+        near = np.abs((angles[:, None] - angles[off] + 45) % 90 - 45) <= 2 * PEAK_WIDTH
+        agreed = lengths @ near
+        if agreed.max() < WING_SHARE * lengths.sum():
+            break
+        best = near[:, agreed.argmax()]
+        one = angles[off][agreed.argmax()]
+        found.append(float(one + np.average((angles[best] - one + 45) % 90 - 45, weights=lengths[best])))
+        off &= ~best
+    return found
 
 
 def _segments(grey: NDArray[np.uint8]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
