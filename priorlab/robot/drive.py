@@ -40,8 +40,8 @@ def drive(
 
     Returns
     -------
-    RobotLog with the truth. Its odometry begins at the true start. A beam that meets nothing, or something in the blind zone,
-    is inf; a lost one is nan.
+    RobotLog with the truth. Its odometry begins at the true start. A beam that meets nothing within range is inf; a lost one, and
+    one that ends in the blind zone, is nan: it says nothing, least of all that the way is free up to the range's end.
 
     Raises
     ------
@@ -131,4 +131,4 @@ def _scan(world: World, truth: NDArray[np.float64], scanner: Scanner, rng: np.ra
     reach = (scanner.max_range_m + 6 * scanner.range_noise_m) / scale  # noise may bring a far obstacle within range
     ranges = cast_rays(world.obstacles, origins, angles.ravel(), reach).reshape(angles.shape) * scale
     noise = RangeNoise(scanner.range_noise_m, scanner.outlier_rate, scanner.dropout_rate, scanner.min_range_m)
-    return disturb(ranges, noise, scanner.max_range_m, rng, blind=np.inf)
+    return disturb(ranges, noise, scanner.max_range_m, rng)

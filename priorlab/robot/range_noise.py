@@ -38,7 +38,7 @@ class RangeNoise:
 
 
 def disturb(
-    ranges: NDArray[np.float64], noise: RangeNoise, max_range: float, rng: np.random.Generator | None, blind: float = np.nan
+    ranges: NDArray[np.float64], noise: RangeNoise, max_range: float, rng: np.random.Generator | None
 ) -> NDArray[np.float64]:
     """Ranges as a faulty sensor reports them; inf = no return, nan = no reading.
 
@@ -51,7 +51,6 @@ def disturb(
     noise : the faults
     max_range : what is measured beyond it is no return
     rng : draws the faults
-    blind : what a range in the blind zone is reported as: nan, or inf by a scanner that cannot tell it from nothing
 
     >>> rng = np.random.default_rng(0)
     >>> disturb(np.array([0.2, 1.0, 5.0]), RangeNoise(min_range=0.4), 3.0, rng).tolist()
@@ -67,5 +66,5 @@ def disturb(
     measured = ranges + noise.deviation * spread
     measured = np.where(is_outlier, noise.min_range + (max_range - noise.min_range) * random_range, measured)
     measured = measured.clip(0.0)
-    measured = np.where(measured < noise.min_range, blind, np.where(measured > max_range, np.inf, measured))
+    measured = np.where(measured < noise.min_range, np.nan, np.where(measured > max_range, np.inf, measured))
     return np.where(is_lost, np.nan, measured)

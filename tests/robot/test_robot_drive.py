@@ -9,6 +9,8 @@ import pytest
 from priorlab.core.building import World
 from priorlab.core.sensor import KINECT, ODOMETRY, Odometry, Scanner
 from priorlab.robot.drive import drive, true_path
+from priorlab.slam.parameters import TUNED
+from priorlab.slam.scan import choose_beams
 
 WORLD = World(np.pad(np.zeros((56, 116), dtype=bool), 2, constant_values=True), metres_per_pixel=0.05)  # 6 x 3 m
 TOUR = [[1.0, 1.0], [4.0, 1.0], [4.0, 2.0]]
@@ -53,9 +55,11 @@ def test_drive_scans_from_the_true_poses():
     assert log.ranges[at_corner, 1] == pytest.approx(6 - 0.1 - 4)
 
 
-def test_drive_in_the_blind_zone_meets_nothing():
+def test_drive_in_the_blind_zone_has_no_reading():
     near = go(tour=[[0.3, 0.3], [0.31, 0.3]], scanner=dataclasses.replace(EXACT, min_range_m=0.4))
-    assert (near.ranges[0, [0]] == np.inf).all()
+    np.testing.assert_array_equal(near.ranges[0], [np.nan, np.inf, np.inf])  # 0.28 m to the right, else over 3 m
+    beams = choose_beams(near, 0, TUNED)
+    assert len(beams) == 0 and beams.open_bearings.tolist() == EXACT.bearings[1:].tolist()  # nothing is freed to the right
 
 
 def test_drive_has_the_scanners_faults():

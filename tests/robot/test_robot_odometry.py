@@ -47,6 +47,7 @@ def errors_of_one_step(alphas, step, n=4000):
         ((0, 0, 0.01, 0), [1.0, 0, 0], 0.1, 0.0),  # translation from translation: sqrt(a3) m
         ((0, 0.01, 0, 0), [1.0, 0, 0], 0.0, 0.1 * math.sqrt(2)),  # rotation from translation, before and after the way
         ((0.01, 0, 0, 0), [0.0, 0, 1.0], 0.0, 0.1),  # rotation from rotation
+        (Odometry().alphas, [1.0, 0, 0], math.sqrt(0.002), math.sqrt(0.004)),  # 0.002 is a variance: 4.5 cm a metre's step
     ],
 )
 def test_alphas_are_variances(alphas, step, way, heading):

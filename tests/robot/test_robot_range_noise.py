@@ -39,8 +39,6 @@ def test_dropouts_are_missing():
 def test_blind_zone_is_no_reading_and_far_end_no_return():
     ranges = np.array([0.39, 0.4, 3.0, 3.01])
     np.testing.assert_array_equal(noisy(ranges, min_range=0.4), [np.nan, 0.4, 3.0, np.inf])
-    scanned = disturb(ranges, RangeNoise(min_range=0.4), 3.0, np.random.default_rng(0), blind=np.inf)
-    np.testing.assert_array_equal(scanned, [np.inf, 0.4, 3.0, np.inf])
 
 
 def test_noise_never_makes_a_range_negative():
