@@ -1,0 +1,217 @@
+"""A long drive that survives a crash: every 50 steps what came new is added to a file, and `resume` goes on from there.
+
+    run = run_with_checkpoints(FastSLAM(), prior_map, log, rng, "drive.part")     # Ctrl-C, kill -9, a power cut ...
+    run = resume("drive.part")                                                    # ... and the very same run
+
+The file begins with the prior map, the log and the parameters, written in one step. Then come records, one for every 50 steps,
+each with a mark, its length and a checksum. A record is only ever added at the end, so its cost does not grow with the drive. A
+crash while one is being added leaves a torn end: `resume` drops it and loses those 50 steps, no more. Maps are not kept: they
+are drawn again from poses and scans, to the last bit.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.checks import check_rng
+from priorlab.core.files import check_free, write_file
+from priorlab.core.grid_map import GridMap
+from priorlab.core.readings import RobotLog
+from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.map_update import see_cells, update_seen
+from priorlab.slam.parameters import Parameters
+from priorlab.slam.particles import Particles
+from priorlab.slam.recording import Recorder, Run
+from priorlab.slam.run_inputs import UNREADABLE, arrays_of, inputs_as_arrays, inputs_from_arrays
+from priorlab.slam.scan import choose_beams
+from priorlab.slam.state import State
+
+EVERY = 50
+"""Steps between two records: what a crash may cost at most."""
+
+_FORMAT = "priorlab checkpoint 1"
+_MARK = b"priorlab record\n"
+_GENERATORS = ("PCG64", "PCG64DXSM", "MT19937", "Philox", "SFC64")
+
+Progress = Callable[[int, int], None]
+
+
+def run_with_checkpoints(
+    fast_slam: FastSLAM,
+    prior_map: GridMap,
+    log: RobotLog,
+    rng: np.random.Generator,
+    path: str | Path,
+    every: int = EVERY,
+    progress: Progress | None = None,
+    force: bool = False,
+) -> Run:
+    """`fast_slam.run(prior_map, log, rng)`, to the last bit, and on the way a file to go on from.
+
+    Parameters
+    ----------
+    fast_slam, prior_map, log, rng, progress : as `FastSLAM.run` has them
+    path : the file; it stays when the drive is done, and may go as soon as the run is saved
+    every : steps between two records
+    force : replace what stands there
+
+    Raises
+    ------
+    FileExistsError
+        When something stands at `path` and `force` is not given.
+    ValueError
+        As `FastSLAM.run`, and when `every` is below 1 or `rng` none of NumPy's own.
+    """
+    if every < 1:
+        raise ValueError(f"every must be at least 1, got {every}")
+    generator = type(check_rng(rng).bit_generator).__name__
+    if generator not in _GENERATORS:
+        raise ValueError(f"rng must draw from one of {', '.join(_GENERATORS)} to be gone on with, got {generator}")
+    check_free(path, force)
+    words = {"every": int(every), "generator": generator}
+    state = fast_slam.start(prior_map, log, rng)
+    first = _packed(inputs_as_arrays(_FORMAT, prior_map, log, fast_slam.parameters, **words))
+    write_file(path, first + _packed(_news(state, 0)))
+    return _drive_on(fast_slam, state, Path(path), every, progress)
+
+
+def resume(path: str | Path, progress: Progress | None = None) -> Run:
+    """Go on with a drive that was interrupted; of one that was not, its run.
+
+    Parameters
+    ----------
+    path : the file that `run_with_checkpoints` wrote; further records are added to it
+    progress : called with the steps done and the steps to do
+
+    Raises
+    ------
+    FileNotFoundError
+        When there is no file.
+    ValueError
+        When it is no checkpoint, or damaged elsewhere than at its end.
+    """
+    path = Path(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"a checkpoint must lie at {path}, found no file there")
+    content = path.read_bytes()
+    try:
+        records, whole = _records(content)
+        first, *news = [arrays_of(record) for record in records]
+        prior_map, log, parameters, words = inputs_from_arrays(_FORMAT, first)
+        fast_slam = FastSLAM(parameters)
+        state = _restored(fast_slam, prior_map, log, words["generator"], news)
+        every = int(words["every"])
+    except UNREADABLE as fault:
+        raise ValueError(f"{path} must be a checkpoint that priorlab wrote, got a damaged file: {fault}") from fault
+    if whole < len(content):
+        os.truncate(path, whole)
+    return _drive_on(fast_slam, state, path, every, progress)
+
+
+def _drive_on(fast_slam: FastSLAM, state: State, path: Path, every: int, progress: Progress | None) -> Run:
+    """Make the steps that are left, and add a record now and then."""
+    with path.open("ab") as file:
+        kept = state.step
+        while not state.done:
+            fast_slam.step(state)
+            if state.step - kept == every or state.done:
+                _append(file, _packed(_news(state, kept)))
+                kept = state.step
+            if progress:
+                progress(state.step, len(state.log))
+    return fast_slam.finish(state)
+
+
+# --- what is kept ----------------------------------------------------------------------------------------------------
+
+
+def _news(state: State, since: int) -> dict[str, Any]:
+    """The steps from `since` on, and where the drive stands: its particles and its generator."""
+    steps = state.recorder
+    return {
+        "poses": np.array(steps.poses[since:]).reshape(-1, 3),
+        "n_particles": np.array(steps.n_particles[since:], dtype=np.int64),
+        "ess": np.array(steps.ess[since:], dtype=np.float64),
+        "explained": np.array(steps.explained[since:], dtype=np.float64),
+        "sample_sizes": np.array([len(sample) for sample in steps.samples[since:]], dtype=np.int64),
+        "samples": np.concatenate([np.empty((0, 3), dtype=np.float32), *steps.samples[since:]]),
+        "particles": state.particles.poses,
+        "log_weights": state.particles.log_weights,
+        "generator": np.array(json.dumps(state.rng.bit_generator.state, default=np.ndarray.tolist)),
+    }
+
+
+def _restored(fast_slam: FastSLAM, prior_map: GridMap, log: RobotLog, generator: str, news: list[dict[str, NDArray]]) -> State:
+    """The state after the last record."""
+    if generator not in _GENERATORS:
+        raise ValueError(f"unknown generator {generator!r}")
+    recorder = Recorder()
+    for new in news:
+        recorder.poses += list(new["poses"])
+        recorder.n_particles += new["n_particles"].tolist()
+        recorder.ess += new["ess"].tolist()
+        recorder.explained += new["explained"].tolist()
+        recorder.samples += np.split(new["samples"], np.cumsum(new["sample_sizes"])[:-1]) if len(new["poses"]) else []
+    rng = np.random.Generator(getattr(np.random, generator)(0))
+    state = fast_slam.start(prior_map, log, rng)
+    _redraw(state, recorder, fast_slam.parameters)
+    state.particles = Particles(news[-1]["particles"], news[-1]["log_weights"])
+    rng.bit_generator.state = json.loads(str(news[-1]["generator"]))
+    return state
+
+
+def _redraw(state: State, recorder: Recorder, parameters: Parameters) -> None:
+    """Put the recorded steps into the map of a state that stands at the start, and the map into its field."""
+    for k, pose in enumerate(recorder.poses):
+        seen = see_cells(state.prior_map.grid, pose, choose_beams(state.log, k, parameters), parameters)
+        update_seen(state.log_odds, state.prior_map.log_odds, seen, parameters)
+    if parameters.localize_in == "updated":
+        rows, cols = state.log_odds.shape
+        state.field.refresh(state.log_odds, slice(0, rows), slice(0, cols))
+    state.recorder, state.step = recorder, len(recorder.poses)
+
+
+# --- records in a file -----------------------------------------------------------------------------------------------
+
+
+def _packed(arrays: dict[str, Any]) -> bytes:
+    """A record: mark, length, checksum, arrays."""
+    stream = io.BytesIO()
+    np.savez(stream, **arrays)
+    content = stream.getvalue()
+    return _MARK + len(content).to_bytes(8, "little") + zlib.crc32(content).to_bytes(4, "little") + content
+
+
+def _append(file: BinaryIO, record: bytes) -> None:
+    """Add a record and wait until the disk has it."""
+    file.write(record)
+    file.flush()
+    os.fsync(file.fileno())
+
+
+def _records(content: bytes) -> tuple[list[bytes], int]:
+    """The whole records, at least two, and where they end; what follows may only be one that was being added."""
+    records, place = [], 0
+    while place < len(content):
+        start = place + len(_MARK) + 12
+        length, checksum = (int.from_bytes(content[a:b], "little") for a, b in ((start - 12, start - 4), (start - 4, start)))
+        record = content[start : start + length]
+        is_marked = content[place : place + len(_MARK)] == _MARK
+        if not is_marked or start > len(content) or len(record) < length or zlib.crc32(record) != checksum:
+            break
+        records.append(record)
+        place = start + length
+    if len(records) < 2:
+        raise ValueError("it does not begin with whole records")
+    if _MARK in content[place + 1 :]:
+        raise ValueError(f"record {len(records)} is broken, and more follow")
+    return records, place
