@@ -9,7 +9,9 @@ from priorlab.widgets.growth_lab import GrowthLab as GrowthLab
 from priorlab.widgets.map_lab import MapLab as MapLab
 from priorlab.widgets.one_cell import OneCellLab as OneCellLab
 from priorlab.widgets.own_drawing import OwnDrawing as OwnDrawing
+from priorlab.widgets.pair_lab import PairLab as PairLab
 from priorlab.widgets.prior_lab import PriorLab as PriorLab
+from priorlab.widgets.run_lab import RunLab as RunLab
 from priorlab.widgets.sweep_lab import SweepLab as SweepLab
 from priorlab.widgets.time_lab import TimeLab as TimeLab
 from priorlab.widgets.update_steps import UpdateSteps as UpdateSteps
