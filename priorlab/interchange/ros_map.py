@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,19 +20,21 @@ from priorlab.core.checks import check_probability
 from priorlab.core.drawing import Walls
 from priorlab.core.files import check_free, write_file
 from priorlab.core.grid import Grid
-from priorlab.core.grid_map import GridMap
+from priorlab.core.grid_map import GridMap, Prior
 from priorlab.core.log_odds import log_odds
-from priorlab.interchange.pixels import open_image
+from priorlab.interchange.ros_image import (
+    FREE_THRESH,
+    GREY,
+    OCCUPIED_THRESH,
+    UNKNOWN,
+    check_mode,
+    encode,
+    occupancy_of,
+    read_channels,
+)
 from priorlab.interchange.ros_yaml import RosYaml, read_ros_yaml
 
 Mode = Literal["trinary", "scale", "raw"]
-
-OCCUPIED_THRESH, FREE_THRESH = 0.65, 0.196
-"""Occupancy above which ROS calls a cell occupied, and below which free. The grey 205 of "unknown" is 50/255 = 0.19608:
-with a looser free threshold every unknown cell would become free."""
-
-UNKNOWN = -1
-_IMAGES = ("PPM", "PNG", "BMP", "TIFF", "JPEG")
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,6 +69,18 @@ class RosMap:
         check_probability("least", least)
         return GridMap(log_odds(self.p_empty.clip(least, 1 - least)), self.grid)
 
+    def to_prior_map(self, prior: Prior) -> GridMap:
+        """A map for FastSLAM to start from: no cell is believed to be a wall, or space, more than the prior does.
+
+        Occupied cells get the effective p_wall, free ones the effective p_space, unknown ones 0.5.
+
+        >>> occupancy = np.array([[100, 0, UNKNOWN, 60]], dtype=np.int8)
+        >>> RosMap(occupancy, Grid((1, 4), 1, 0.05)).to_prior_map(Prior(0.3, 0.8)).p_empty.round(2).tolist()
+        [[0.27, 0.72, 0.5, 0.4]]
+        """
+        low, high = sorted((prior.effective_p_wall, prior.effective_p_space))
+        return GridMap(log_odds(self.p_empty.clip(low, high)), self.grid, prior)
+
     def __repr__(self) -> str:
         rows, cols = self.occupancy.shape
         known = 100 * (self.occupancy != UNKNOWN).mean()
@@ -79,7 +92,7 @@ def write_ros_map(
     grid_map: GridMap | Walls,
     mode: Mode = "trinary",
     origin: tuple[float, float, float] = (0.0, 0.0, 0.0),
-    image_format: Literal["pgm", "png"] = "pgm",
+    image_format: Literal["pgm", "png", "bmp"] = "pgm",
     force: bool = False,
 ) -> Path:
     """Write a map for ROS: `path` (.yaml) and an image of the same name beside it.
@@ -93,7 +106,7 @@ def write_ros_map(
     grid_map : a map, or extracted walls (wall = occupied, all else free)
     mode : see above
     origin : x, y (metres) and yaw (radians) of the drawing's lower left corner in the robot's frame
-    image_format : both hold every value
+    image_format : all hold every value
     force : replace what stands there
 
     Returns
@@ -123,8 +136,8 @@ def write_ros_map(
     """
     if mode not in ("trinary", "scale", "raw"):
         raise ValueError(f"mode must be 'trinary', 'scale' or 'raw', got {mode!r}")
-    if image_format not in ("pgm", "png"):
-        raise ValueError(f"image_format must be 'pgm' or 'png', got {image_format!r}")
+    if image_format not in ("pgm", "png", "bmp"):
+        raise ValueError(f"image_format must be 'pgm', 'png' or 'bmp', got {image_format!r}")
     path = Path(path)
     if path.suffix not in (".yaml", ".yml"):
         raise ValueError(f"a ROS map's path must end in .yaml, got {path}")
@@ -139,67 +152,35 @@ def write_ros_map(
         check_free(place, force)
     if mode == "trinary":
         _warn_when_space_is_lost(p_empty)
-    write_file(image_path, _encode(_GREY[mode](p_empty), image_format))
+    write_file(image_path, encode(GREY[mode](p_empty), image_format))
     write_file(path, description.to_text())
     return path
 
 
 def read_ros_map(path: str | os.PathLike[str]) -> RosMap:
-    """Read a ROS map from its yaml file; the image's path is relative to it (pgm, png, bmp, tiff or jpeg).
+    """Read a ROS map from its yaml file; the image (pgm, png, bmp, tiff or jpeg) lies in its folder, or below.
 
     Raises
     ------
     FileNotFoundError
         When the yaml file or the image is missing.
     ValueError
-        When the yaml is broken, a value is missing or out of range, or the image cannot be read.
+        When the yaml is broken, a value is missing or out of range, or the image lies elsewhere, cannot be read, or is not
+        what the mode "raw" says.
+
+    Warns
+    -----
+    UserWarning
+        When the thresholds make the grey 205 free, by which map savers mean unknown (some write free_thresh 0.25 beside it).
     """
     path = Path(path)
     description = read_ros_yaml(path)
-    channels = _read_channels(path.parent / description.image)
+    channels = read_channels(path.parent, description.image)
+    check_mode(channels, description)
     rows, cols = channels.shape[:2]
     return RosMap(
-        _occupancy(channels, description), Grid((rows, cols), 1, description.resolution), description.origin, description.mode
+        occupancy_of(channels, description), Grid((rows, cols), 1, description.resolution), description.origin, description.mode
     )
-
-
-def _occupancy(channels: NDArray[np.float64], description: RosYaml) -> NDArray[np.int8]:
-    """Percent of every cell by nav2's rules, from (rows, cols, 3 colours and perhaps alpha)."""
-    with_alpha = description.mode == "trinary"  # nav2 averages alpha with the colours in this mode
-    shade = channels[..., : None if with_alpha else 3].mean(axis=2)
-    if description.mode == "raw":
-        percent = np.floor(shade * 255 + 0.5)
-        return np.where(percent <= 100, percent, UNKNOWN).astype(np.int8)
-    occupied = shade if description.negate else 1.0 - shade
-    between = np.full(shade.shape, float(UNKNOWN))
-    if description.mode == "scale":
-        span = description.occupied_thresh - description.free_thresh
-        between = np.rint((occupied - description.free_thresh) / span * 100)
-    percent = np.where(occupied > description.occupied_thresh, 100, np.where(occupied < description.free_thresh, 0, between))
-    if description.mode == "scale" and channels.shape[2] == 4:
-        percent[channels[..., 3] < 1] = UNKNOWN
-    return percent.astype(np.int8)
-
-
-def _read_channels(path: Path) -> NDArray[np.float64]:
-    """(rows, cols, 3 or 4) red, green, blue and, when the image has it, alpha; 0 to 1."""
-    image = open_image(path, "the map's image", _IMAGES)
-    if image.mode.startswith("I"):
-        return np.repeat(np.asarray(image, dtype=np.float64)[..., None] / 65535, 3, axis=2)
-    return np.asarray(image.convert("RGBA" if image.has_transparency_data else "RGB"), dtype=np.float64) / 255
-
-
-def _trinary(p_empty: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """0 occupied, 254 free, 205 unknown."""
-    occupied = 1.0 - p_empty
-    return np.where(occupied > OCCUPIED_THRESH, 0, np.where(occupied < FREE_THRESH, 254, 205)).astype(np.uint8)
-
-
-_GREY = {
-    "trinary": _trinary,
-    "scale": lambda p_empty: np.rint(255 * p_empty).astype(np.uint8),
-    "raw": lambda p_empty: np.rint(100 * (1.0 - p_empty)).astype(np.uint8),
-}
 
 
 def _warn_when_space_is_lost(p_empty: NDArray[np.float64]) -> None:
@@ -213,11 +194,3 @@ def _warn_when_space_is_lost(p_empty: NDArray[np.float64]) -> None:
             "to the robot; use mode='scale', or export the walls themselves",
             stacklevel=3,
         )
-
-
-def _encode(grey: NDArray[np.uint8], image_format: str) -> bytes:
-    """The image file's bytes."""
-    ok, data = cv2.imencode(f".{image_format}", grey)
-    if not ok:
-        raise ValueError(f"the map of shape {grey.shape} could not be encoded as {image_format}")
-    return data.tobytes()

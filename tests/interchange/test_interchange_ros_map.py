@@ -64,7 +64,7 @@ def test_write_ros_map_trinary_writes_0_205_254_and_the_yaml_of_the_field(tmp_pa
 
 
 @pytest.mark.parametrize("mode", ["trinary", "scale", "raw"])
-@pytest.mark.parametrize("image_format", ["pgm", "png"])
+@pytest.mark.parametrize("image_format", ["pgm", "png", "bmp"])
 def test_read_ros_map_loads_what_was_written(tmp_path, mode, image_format):
     path = write_ros_map(tmp_path / "flat.yaml", some_map(P_EMPTY), mode, image_format=image_format)
     ros = read_ros_map(path)
@@ -133,6 +133,44 @@ def test_read_ros_map_finds_the_image_relative_to_the_yaml(tmp_path, monkeypatch
     )
     monkeypatch.chdir(tmp_path)
     assert read_ros_map("maps/m.yaml").occupancy.tolist() == [[100, 0]]
+
+
+@pytest.mark.parametrize("image", ["../m.pgm", "images/../../m.pgm", "/m.pgm"])
+def test_read_ros_map_opens_no_image_outside_the_yamls_folder(tmp_path, image):
+    (tmp_path / "maps").mkdir()
+    cv2.imwrite(str(tmp_path / "m.pgm"), np.array([[0, 254]], np.uint8))
+    (tmp_path / "maps" / "m.yaml").write_text(yaml.safe_dump(GOOD | dict(image=image)))
+    with pytest.raises(ValueError, match=f"image must lie in the folder of its yaml, or below, got '{image}'"):
+        read_ros_map(tmp_path / "maps" / "m.yaml")
+
+
+def test_read_ros_map_takes_the_whole_path_of_an_image_beside_the_yaml(tmp_path):
+    cv2.imwrite(str(tmp_path / "m.pgm"), np.array([[0, 254]], np.uint8))
+    (tmp_path / "m.yaml").write_text(yaml.safe_dump(GOOD | dict(image=str(tmp_path / "m.pgm"))))
+    assert read_ros_map(tmp_path / "m.yaml").occupancy.tolist() == [[100, 0]]
+
+
+def test_read_ros_map_says_when_a_picture_is_called_raw(tmp_path):
+    cv2.imwrite(str(tmp_path / "m.pgm"), np.array([[0, 254], [205, 254]], np.uint8))
+    (tmp_path / "m.yaml").write_text(yaml.safe_dump(GOOD | dict(mode="raw")))
+    with pytest.raises(ValueError, match="raw must hold percents of 0 to 100, or 255 for unknown, got 254 and the like in 75 %"):
+        read_ros_map(tmp_path / "m.yaml")
+    cv2.imwrite(str(tmp_path / "m.pgm"), np.array([[0, 100], [50, 255]], np.uint8))
+    assert read_ros_map(tmp_path / "m.yaml").occupancy.tolist() == [[0, 100], [50, -1]]
+
+
+def test_read_ros_map_warns_when_unknown_becomes_free(tmp_path):
+    cv2.imwrite(str(tmp_path / "m.pgm"), np.array([[0, 254], [205, 205]], np.uint8))
+    (tmp_path / "m.yaml").write_text(yaml.safe_dump(GOOD | dict(free_thresh=0.25)))
+    with pytest.warns(UserWarning, match="free_thresh 0.25 makes 2 cells of grey 205 free"):
+        assert read_ros_map(tmp_path / "m.yaml").occupancy.tolist() == [[100, 0], [0, 0]]  # as nav2 does
+
+
+def test_to_prior_map_believes_no_cell_more_than_the_prior(tmp_path):
+    path = write_ros_map(tmp_path / "a.yaml", some_map(P_EMPTY))
+    prior_map = read_ros_map(path).to_prior_map(Prior(0.3, 0.8))
+    assert prior_map.p_empty.round(6).tolist() == [[0.72, 0.72, 0.27], [0.5, 0.72, 0.27]]
+    assert prior_map.prior == Prior(0.3, 0.8)
 
 
 def test_write_ros_map_warns_when_all_space_becomes_unknown(tmp_path):

@@ -21,6 +21,24 @@ def test_write_tum_writes_eight_numbers_a_line(tmp_path):
     np.testing.assert_allclose(rotation @ [1, 0], [0, 1], atol=1e-9)  # a quarter turn to the left
 
 
+def test_write_tum_is_what_evo_asks_for(tmp_path):
+    """Eight columns parted by one blank, no header but comments, unit quaternions (0, 0, z, w), 1e-9 m kept.
+
+    evo itself was asked once: `evo_ape tum` and `evo_rpe tum`, without -a, gave the ATE and the RPE of `Run` to all six digits.
+    """
+    rng = np.random.default_rng(4)
+    poses = np.column_stack([rng.uniform(-50, 50, (200, 2)), rng.uniform(-7, 7, 200)])
+    path = write_tum(tmp_path / "a.tum", poses)
+    rows = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    assert all(line.count(" ") == 7 and line == line.strip() for line in rows)
+    stamps, x, y, z, qx, qy, qz, qw = np.loadtxt(path).T
+    assert (np.diff(stamps) > 0).all() and not (z.any() or qx.any() or qy.any())
+    np.testing.assert_allclose(qz**2 + qw**2, 1, atol=1e-11)
+    np.testing.assert_allclose(np.column_stack([x, y]), poses[:, :2], atol=1e-9)
+    ahead = np.column_stack([1 - 2 * qz**2, 2 * qz * qw])  # the first column of the quaternion's rotation matrix
+    np.testing.assert_allclose(ahead, np.column_stack([np.cos(poses[:, 2]), np.sin(poses[:, 2])]), atol=1e-10)
+
+
 @settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(poses=arrays(float, st.tuples(st.integers(0, 6), st.just(3)), elements=st.floats(-100, 100)))
 def test_read_tum_reads_what_was_written(tmp_path, poses):
