@@ -12,8 +12,8 @@ LAB_ARGS ?=
 
 .DEFAULT_GOAL := help
 # Pictures go to files there; in JupyterLab they go to the page.
-demo test notebooks coverage bench figures api real: export MPLBACKEND = Agg
-.PHONY: help demo test lab notebooks lint types coverage bench bench-browser figures api real lock clean
+demo test mutants notebooks coverage bench figures api real: export MPLBACKEND = Agg
+.PHONY: help demo test mutants lab notebooks lint types coverage bench bench-browser figures api real lock clean
 
 help:  ## show this list
 	@grep -E '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 16
@@ -21,9 +21,12 @@ help:  ## show this list
 demo: $(READY)  ## one floor plan all the way, from the drawing to FastSLAM; leaves a report in out/demo
 	$(BIN)/priorlab demo --out $(OUT) --force
 
-test: $(READY)  ## everything: unit tests, doctests and the notebooks through strict nbval
-	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile --doctest-glob='*.md' tests priorlab docs
+test: $(READY)  ## unit tests, doctests and the notebooks through strict nbval
+	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile --doctest-glob='*.md' -m 'not mutant' tests priorlab docs
 	$(BIN)/python -m pytest -n $(JOBS) --dist loadfile --nbval --nbval-current-env --nbval-cell-timeout=120 notebooks
+
+mutants: $(READY)  ## the tests of the tests: wrong code in a copy of priorlab must turn a notebook red (4 minutes)
+	$(BIN)/python -m pytest -n $(JOBS) --dist load -q -m mutant tests/notebooks
 
 lab: $(READY)  ## open the course in JupyterLab (token on, this machine only)
 	cd notebooks && ../$(BIN)/jupyter lab --ServerApp.ip=127.0.0.1 \

@@ -15,6 +15,8 @@ from pathlib import Path
 import nbformat
 import pytest
 
+pytestmark = pytest.mark.mutant
+
 ROOT = Path(__file__).parents[2]
 START, DOORS, WALLS = "00_start_here", "01_doors", "02_walls"
 PRIORS, LOG_ODDS, SWEEP = "03_priors", "04_log_odds", "05_pareto_sweep"
