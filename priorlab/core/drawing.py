@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from priorlab.core.checks import check_image, check_positive
 
-EMPTY, WALL = 0, 1
-"""Labels of `Walls`; later classes (stairs, furniture) get the next numbers."""
+EMPTY, WALL, WINDOW = 0, 1, 2
+"""Labels of `Walls`; the ink of windows is wall too. Later classes (stairs, furniture) get the next numbers."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,9 +87,14 @@ class Walls:
 
     Parameters
     ----------
-    labels : (height, width) uint8, `EMPTY` or `WALL`
+    labels : (height, width) uint8, `EMPTY`, `WALL` or `WINDOW`
     metres_per_pixel : scale of the drawing, or None
     name : the drawing's name
+    mask : (height, width) bool, made of the labels: walls and the ink of windows
+
+    >>> walls = Walls(np.array([[0, 1, 2]], dtype=np.uint8))
+    >>> walls.mask.tolist(), walls.windows.tolist()
+    ([[False, True, True]], [[False, False, True]])
     """
 
     labels: NDArray[np.uint8]
@@ -105,7 +110,12 @@ class Walls:
         if self.metres_per_pixel is not None:
             object.__setattr__(self, "metres_per_pixel", check_positive("metres_per_pixel", self.metres_per_pixel))
         object.__setattr__(self, "labels", labels)
-        object.__setattr__(self, "mask", labels == WALL)
+        object.__setattr__(self, "mask", (labels == WALL) | (labels == WINDOW))
+
+    @property
+    def windows(self) -> NDArray[np.bool_]:
+        """(height, width) bool, the ink of windows."""
+        return self.labels == WINDOW
 
     @property
     def shape(self) -> tuple[int, int]:

@@ -131,7 +131,7 @@ def extract_walls(drawing: Drawing, method: Method = ROBUST, progress: Callable[
     say("walls", 0.6)
     wall_search = search_walls(sheet, door_search.doors, corners, method)
     say("done", 1.0)
-    walls = as_walls(drawing, wall_search.walls)
+    walls = as_walls(drawing, wall_search.walls, wall_search.windows)
     lost_at = None if walls.mask.any() else _lost_at(sheet, door_search, method)
     return Extraction(
         drawing=drawing,

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import cv2
 import numpy as np
@@ -42,6 +42,7 @@ class WallPiece:
     slenderness : its length in thicknesses over `LONG_ENOUGH`, at most 1
     network : share of all walls that it is joined to, doors and windows bridged
     at_door : a door stands at its end
+    kind : "wall", or "window"
     """
 
     box: tuple[int, int, int, int]
@@ -51,10 +52,15 @@ class WallPiece:
     slenderness: float
     network: float
     at_door: bool
+    kind: Literal["wall", "window"] = "wall"
 
 
 def wall_pieces(
-    walls: NDArray[np.bool_], hypotheses: Sequence[Hypothesis], worths: Sequence[float], doors: Sequence[Door]
+    walls: NDArray[np.bool_],
+    hypotheses: Sequence[Hypothesis],
+    worths: Sequence[float],
+    doors: Sequence[Door],
+    windows: NDArray[np.bool_] | None = None,
 ) -> tuple[WallPiece, ...]:
     """The pieces of walls, in reading order of their boxes' corners as `connectedComponents` gives them.
 
@@ -64,10 +70,11 @@ def wall_pieces(
     hypotheses : what may be wall, in the same pixels
     worths : trust in each of them, at least 0
     doors : in the same pixels
+    windows : (height, width) bool, boxes of windows: the walls in each are a piece of their own
     """
     if not walls.any():
         return ()
-    labels, n_pieces = _split(walls)
+    labels, n_pieces, first_window = _split(walls, np.zeros_like(walls) if windows is None else windows)
     inside = labels[walls]
     area = np.bincount(inside, minlength=n_pieces).astype(np.float64)
     agreement = np.zeros(n_pieces)
@@ -91,14 +98,18 @@ def wall_pieces(
             slenderness=float(slender[k]),
             network=float(network[k]),
             at_door=bool(at_door[k]),
+            kind="window" if k >= first_window else "wall",
         )
         for k in range(1, n_pieces)
         if area[k]
     )
 
 
-def _split(walls: NDArray[np.bool_]) -> tuple[NDArray[np.int32], int]:
-    """Number the pieces from 1: pixels that lie in longer horizontal runs, and the others; crumbs join the other kind."""
+def _split(walls: NDArray[np.bool_], windows: NDArray[np.bool_]) -> tuple[NDArray[np.int32], int, int]:
+    """Number the pieces from 1: pixels in longer horizontal runs, the others, windows; how many, and the first window's.
+
+    Crumbs of one kind join the other.
+    """
     level = walls & (run_lengths(walls, 1) >= run_lengths(walls, 0))
     crumb = common_thickness(walls) ** 2 / 2
     for mask, other in ((level, False), (walls & ~level, True)):
@@ -106,9 +117,12 @@ def _split(walls: NDArray[np.bool_]) -> tuple[NDArray[np.int32], int]:
         small = stats[:, cv2.CC_STAT_AREA] < crumb
         small[0] = False
         level = np.where(small[labels], other, level)
-    n_level, first = cv2.connectedComponents((walls & level).astype(np.uint8), connectivity=8)
-    n_upright, second = cv2.connectedComponents((walls & ~level).astype(np.uint8), connectivity=8)
-    return np.where(second > 0, second + n_level - 1, first).astype(np.int32), n_level + n_upright - 1
+    n_level, first = cv2.connectedComponents((walls & ~windows & level).astype(np.uint8), connectivity=8)
+    n_upright, second = cv2.connectedComponents((walls & ~windows & ~level).astype(np.uint8), connectivity=8)
+    n_windows, third = cv2.connectedComponents(windows.astype(np.uint8), connectivity=8)
+    labels = np.where(second > 0, second + n_level - 1, first)
+    labels = np.where(walls & windows, third + n_level + n_upright - 2, labels)
+    return labels.astype(np.int32), n_level + n_upright + n_windows - 2, n_level + n_upright - 1
 
 
 def _network(

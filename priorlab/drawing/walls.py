@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.drawing import EMPTY, WALL, Door, Drawing, Walls
+from priorlab.core.drawing import EMPTY, WALL, WINDOW, Door, Drawing, Walls
 from priorlab.drawing.corners import corners_of
 from priorlab.drawing.door_ink import door_ink
 from priorlab.drawing.faces import thin_cells, without_lone_bars
@@ -22,8 +22,9 @@ from priorlab.drawing.runs import run_lengths
 from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
-from priorlab.drawing.wall_sizes import wall_sizes
-from priorlab.drawing.weight import IN_COLOUR, STRAIGHT_CELLS, Hypothesis, judged, weight_hypotheses, with_hatching
+from priorlab.drawing.wall_sizes import WallSizes, wall_sizes
+from priorlab.drawing.weight import IN_COLOUR, STRAIGHT_CELLS, Hypothesis, judged, of_hue, weight_hypotheses, with_hatching
+from priorlab.drawing.window_search import find_windows
 from priorlab.drawing.windows import window_bridges, window_panes
 
 DOORS_ALONE = 0.3
@@ -64,7 +65,8 @@ class WallSearch:
     hypotheses : what doors, weights and hues each take for walls
     chosen : name of the hypothesis that was taken
     walls : (height, width) bool, the result
-    pieces : its straight stretches, each with a confidence
+    pieces : its straight stretches and its windows, each with a confidence
+    windows : (height, width) bool, boxes of the windows, white between their lines too; None when they were not looked for
     """
 
     outer: NDArray[np.bool_]
@@ -73,6 +75,7 @@ class WallSearch:
     chosen: str
     walls: NDArray[np.bool_]
     pieces: tuple[WallPiece, ...] = ()
+    windows: NDArray[np.bool_] | None = None
 
 
 def detect_walls(drawing: Drawing, doors: Sequence[Door], method: Method = ROBUST) -> Walls:
@@ -89,7 +92,8 @@ def detect_walls(drawing: Drawing, doors: Sequence[Door], method: Method = ROBUS
     labels in the drawing's own pixels; all empty when there is nothing to begin with
     """
     sheet = prepare(drawing, method)
-    return as_walls(drawing, search_walls(sheet, doors, corners_of(sheet, method.n_corners, method), method).walls)
+    found = search_walls(sheet, doors, corners_of(sheet, method.n_corners, method), method)
+    return as_walls(drawing, found.walls, found.windows)
 
 
 def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float64], method: Method = ROBUST) -> WallSearch:
@@ -102,6 +106,7 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
     seeds = outer if method.sources == "doors" and scaled else np.zeros_like(ink)  # without a door the search never begins
     sweeps = sweeps_from(ink & ~symbols, seeds, scaled, method)
     guided = strip_strokes(sweeps[-1], method.strip_share) if method.strip_share else sweeps[-1]
+    glass: NDArray[np.bool_] | None = None
     if method.sources == "doors":
         hypotheses: tuple[Hypothesis, ...] = (Hypothesis("doors", guided, float(guided.any())),)
         chosen, walls, worths = "doors", guided, [1.0]
@@ -125,7 +130,10 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
     if method.sources == "both":
         walls = walls & ~window_panes(thin_cells(outlines, sizes), sizes)
         walls = without_lone_bars(walls, wall_sizes(sheet.long_side))
+        glass = windows_of(sheet, walls, best, sizes)
+        walls = walls | (glass & ink & ~symbols)
     found = sheet.to_input(walls)
+    windows = None if glass is None else sheet.to_input(glass)
     as_input = tuple(replace(h, walls=sheet.to_input(h.walls)) for h in hypotheses)
     return WallSearch(
         outer=sheet.to_input(outer),
@@ -133,7 +141,8 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         hypotheses=as_input,
         chosen=chosen,
         walls=found,
-        pieces=wall_pieces(found, as_input, worths, doors),
+        pieces=wall_pieces(found, as_input, worths, doors, windows),
+        windows=windows,
     )
 
 
@@ -210,7 +219,16 @@ def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDA
     return float((0.5 + 0.5 * on_walls) * (1 - 0.8 * mistaken))
 
 
-def as_walls(drawing: Drawing, mask: NDArray[np.bool_]) -> Walls:
-    """A mask as the record of a drawing's walls."""
+def windows_of(sheet: Sheet, walls: NDArray[np.bool_], best: Hypothesis, sizes: WallSizes) -> NDArray[np.bool_]:
+    """Boxes of the windows; where a hue tells the walls, their lines have another one."""
+    if best.hue is None:
+        return find_windows(walls, sheet.walls, sizes, best.weight)
+    return find_windows(walls, sheet.walls & ~of_hue(sheet.hue, best.hue), sizes, np.inf)
+
+
+def as_walls(drawing: Drawing, mask: NDArray[np.bool_], windows: NDArray[np.bool_] | None = None) -> Walls:
+    """A mask as the record of a drawing's walls, of which some may be windows."""
     labels = np.where(mask, WALL, EMPTY).astype(np.uint8)
+    if windows is not None:
+        labels[mask & windows] = WINDOW
     return Walls(labels, metres_per_pixel=drawing.metres_per_pixel, name=drawing.name)

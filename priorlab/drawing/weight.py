@@ -6,7 +6,7 @@ Walls are drawn heavier than text, dimensions and furniture, or in a hue of thei
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,6 +52,7 @@ class Hypothesis:
     quality : Q, larger is more wall-like
     solid : True when the walls are the strokes themselves, not what lies between them
     weight : least weight of the lines taken, pixels; 0 where weight was not asked
+    hue : bin of the hue taken; None where hue was not asked
     """
 
     name: str
@@ -59,6 +60,7 @@ class Hypothesis:
     quality: float
     solid: bool = False
     weight: float = 0.0
+    hue: int | None = None
 
 
 def weight_hypotheses(
@@ -90,10 +92,10 @@ def weight_hypotheses(
     narrow = {"long cells": loose.walls(), STRAIGHT_CELLS: np.logical_or.reduce([c.walls() for c in strict])}
     found += [judged(name, tidy(walls, sizes), sizes, False, trust) for name, walls in narrow.items()]
     for hue in hues:
-        coloured = ink & _of_hue(sheet.hue, hue)
+        coloured = ink & of_hue(sheet.hue, hue)
         walls, solid = walls_between(coloured, coloured, cells, sizes)
-        walls = walls if solid else walls | tidy(loose.walls(outlines & _of_hue(sheet.hue, hue)), sizes)
-        found.append(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, sizes, solid))
+        walls = walls if solid else walls | tidy(loose.walls(outlines & of_hue(sheet.hue, hue)), sizes)
+        found.append(replace(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, sizes, solid), hue=hue))
     return tuple(found)
 
 
@@ -160,6 +162,6 @@ def _hues(sheet: Sheet, ink: NDArray[np.bool_]) -> list[int]:
     return [int(k) for k in np.flatnonzero(counts >= 0.05 * hues.size)]
 
 
-def _of_hue(hue: NDArray[np.uint8], which: int) -> NDArray[np.bool_]:
+def of_hue(hue: NDArray[np.uint8], which: int) -> NDArray[np.bool_]:
     """Pixels whose hue lies in one bin."""
     return (hue != NO_HUE) & (hue.astype(int) * HUE_BINS // 180 == which)

@@ -82,8 +82,10 @@ def test_door_width_is_the_length_of_its_open_side():
     assert Door(hinge=(1, 1), strike=(4, 5), tip=(1, 6)).width == 5
 
 
-def test_walls_mask_holds_the_walls_only():
-    assert Walls(np.array([[0, 1, 2]], dtype=np.uint8)).mask.tolist() == [[False, True, False]]
+def test_walls_mask_holds_walls_and_windows_only():
+    walls = Walls(np.array([[0, 1, 2, 3]], dtype=np.uint8))
+    assert walls.mask.tolist() == [[False, True, True, False]]
+    assert walls.windows.tolist() == [[False, False, True, False]]
 
 
 def test_truth_obstacles_are_walls_and_windows():

@@ -1,0 +1,152 @@
+"""Windows among the walls: stretches where parallel thin lines run from one wall end to the other, as thick as the wall.
+
+A wall is ink all through, or two faces, or hatching between them. Across a window lie three lines or more with white between
+them, all along it; or two that are lighter than walls are drawn.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.drawing.deskew import turn_by, wing_angles
+from priorlab.drawing.faces import long_runs
+from priorlab.drawing.runs import gaps_between, label_runs, run_lengths
+from priorlab.drawing.wall_sizes import WallSizes
+
+Box = tuple[int, int, int, int]
+
+NARROWEST = 5
+"""Fewer pixels across leave no room for lines with white between."""
+
+THIN = 0.45
+"""A line of a window is no thicker than this share of the window."""
+
+INKED = 0.8
+"""So much of a cross-section is ink at most."""
+
+AT_FACE = 0.3
+"""The outermost lines lie within this share of the thickness from the faces of the wall."""
+
+OTHER_INK = 0.12
+"""So much of a window, at most, is ink that is no line along it: a post, and what a scan leaves."""
+
+SLENDER, LONGEST = 1.1, 12.0
+"""A window is so many times longer than thick: at least, and at most, about 4 m in a wall of 35 cm."""
+
+POST = 0.5
+"""A post across a window is no wider than this share of the thickest wall."""
+
+FILLS = 0.8
+"""The cross-sections of a window fill so much of the box round it."""
+
+ALREADY = 0.4
+"""A window whose lines were not all found has no more wall in its box than this."""
+
+BEYOND, GOES_ON, SO_FAR = 1.2, 0.7, 0.3
+"""Within 1.2 thicknesses beyond each end stands wall across 70 % of the thickness, for at least 30 % of it along the window."""
+
+REACHES = (1.0, 0.5)
+"""Lines belong together across so many times the thickest wall: furniture may stand nearer to a thin one."""
+
+
+def find_windows(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes, weight: float = 0.0) -> NDArray[np.bool_]:
+    """The windows of walls, from face to face, along both axes and along the walls of wings.
+
+    Parameters
+    ----------
+    walls : (height, width) bool, what was found, with the lines of windows or without
+    ink : (height, width) bool, all ink that may belong to a window
+    sizes : of walls on this sheet
+    weight : least weight of the lines that walls are drawn with, pixels; 0 where weight does not tell
+
+    Returns
+    -------
+    (height, width) bool, True on the boxes of windows, white between their lines too
+
+    >>> walls, ink = np.zeros((2, 24, 120), dtype=bool)
+    >>> walls[8:16, :40] = walls[8:16, 80:] = True
+    >>> ink[[8, 11, 15], 40:80] = True
+    >>> found = find_windows(walls | ink, walls | ink, WallSizes(400, 10))
+    >>> found[8:16, 40:80].all(), found[:, :38].any(), find_windows(walls, walls, WallSizes(400, 10)).any()
+    (np.True_, np.False_, np.False_)
+    """
+    found = _along_axes(walls, ink, sizes, weight)
+    for angle in wing_angles(walls):
+        turn = turn_by(-angle, walls.shape)
+        turned, turned_ink = (turn.image(255 * (1 - mask.astype(np.uint8))) < 128 for mask in (walls, ink))
+        found |= turn.mask_back(_along_axes(turned, turned_ink, sizes, weight))
+    return found
+
+
+def _along_axes(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes, weight: float) -> NDArray[np.bool_]:
+    """Windows of walls that run along x, and along y."""
+    return _along_x(walls, ink, sizes, weight) | _along_x(walls.T, ink.T, sizes, weight).T
+
+
+def _along_x(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes, weight: float) -> NDArray[np.bool_]:
+    """Windows of walls that run along x: among what was found, and where lines of the drawing go on between two walls."""
+    found = np.zeros_like(walls)
+    with_lines = walls | long_runs(ink, sizes.face_length, 1)
+    for reach in REACHES:
+        solid = walls | gaps_between(walls, reach * sizes.thickness, 0)
+        for is_new, body in ((False, solid), (True, with_lines | gaps_between(with_lines, reach * sizes.thickness, 0))):
+            drawn = ink & body
+            lines, glazed = _cross_sections(body, drawn, weight)
+            glazed |= gaps_between(glazed, max(NARROWEST, round(POST * sizes.thickness)), 1) & body
+            for x, y, width, height in _boxes(glazed):
+                box = np.s_[y : y + height, x : x + width]
+                plain = (drawn[box] & ~lines[box]).mean() <= OTHER_INK and not (is_new and walls[box].mean() > ALREADY)
+                if plain and _goes_on(solid & ~glazed, (x, y, width, height)):
+                    found[box] = True
+    return found
+
+
+def _cross_sections(
+    body: NDArray[np.bool_], drawn: NDArray[np.bool_], weight: float
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Thin lines along x in a body, and those of its columns that are lines with white between, from face to face."""
+    sections = label_runs(body, 0)
+    n = int(sections.max()) + 1
+    size = np.bincount(sections.ravel(), minlength=n)
+    size[0] = 0
+    lines = drawn & (run_lengths(drawn, 1) >= np.maximum(size, NARROWEST)[sections])
+    across = run_lengths(lines, 0)
+    lines &= across <= np.maximum(2, THIN * size)[sections]
+    starts = lines.copy()
+    starts[1:] &= ~lines[:-1]
+    count = np.bincount(sections[starts], minlength=n)
+    inked = np.bincount(sections[drawn], minlength=n)
+    top, low = np.full((2, n), body.shape[0])
+    high, heaviest = np.full(n, -1), np.zeros(n, dtype=np.int32)
+    rows, cols = np.nonzero(lines)
+    which = sections[rows, cols]
+    np.minimum.at(low, which, rows)
+    np.maximum.at(high, which, rows)
+    np.maximum.at(heaviest, which, across[rows, cols])
+    rows, cols = np.nonzero(body)
+    np.minimum.at(top, sections[rows, cols], rows)
+    near = np.maximum(1, AT_FACE * size)
+    take = (count >= np.where(heaviest < weight, 2, 3)) & (inked <= INKED * size)
+    take &= (low - top <= near) & (top + size - 1 - high <= near) & (size >= NARROWEST)
+    take[0] = False
+    return lines, take[sections]
+
+
+def _boxes(glazed: NDArray[np.bool_]) -> list[Box]:
+    """x, y, width, height of the pieces that have the shape of a window along x."""
+    _, _, stats, _ = cv2.connectedComponentsWithStats(glazed.astype(np.uint8), connectivity=4)
+    return [
+        (x, y, width, height)
+        for x, y, width, height, area in stats[1:].tolist()
+        if height >= NARROWEST and SLENDER * height <= width <= LONGEST * height and area >= FILLS * width * height
+    ]
+
+
+def _goes_on(wall: NDArray[np.bool_], box: Box) -> bool:
+    """Does wall stand beyond both ends of a box?"""
+    x, y, width, height = box
+    reach = max(6, round(BEYOND * height))
+    beyond = (wall[y : y + height, max(x - reach, 0) : x], wall[y : y + height, x + width : x + width + reach])
+    return all(side.size and (side.mean(axis=0) >= GOES_ON).sum() >= max(2, SO_FAR * height) for side in beyond)
