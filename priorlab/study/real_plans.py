@@ -6,8 +6,8 @@ A folder holds, for every plan NAME, three images of one size:
     NAME_walls.png    black where the person marked a wall
     NAME_ignore.png   black where nothing is counted (may be missing)
 
-Everything that is not marked is empty: if the person marked no windows, a window that a method calls wall is a mistake
-(`windows="empty"`); the masks cannot tell windows from anything else. To hold one method against a folder:
+Everything that is not marked is empty. The people who marked these took windows for empty (`windows="empty"`): what a method
+says is a window counts as empty, and one that it calls wall is a mistake. To hold one method against a folder:
 
     from priorlab.drawing.method import ROBUST
     from priorlab.study.real_plans import plans_table, score_real_plans
@@ -20,7 +20,7 @@ import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import cv2
 import numpy as np
@@ -36,6 +36,9 @@ from priorlab.interchange.images import read_drawing
 from priorlab.study.drawing_suite import METHODS, Found
 from priorlab.study.ranking import Ranked, rank_pixels, ranking_line
 
+WindowsAre = Literal["wall", "empty"]
+"""What the person who marked the walls took windows for; our own truths take their ink for wall."""
+
 Reader = Method | Callable[..., Found]
 """A method of chapter 3, or anything that makes walls, or a (height, width) mask of them, from a drawing."""
 
@@ -45,11 +48,12 @@ MASK_CELLS = 224
 
 @dataclass(frozen=True, eq=False)
 class MarkedPlan:
-    """A drawing with the walls that a person marked, and how far off those marks may be (pixels)."""
+    """A drawing with the walls that a person marked, how far off those marks may be (pixels), and what windows were taken for."""
 
     drawing: Drawing
     truth: Truth
     tolerance: float
+    windows: WindowsAre = "empty"
 
 
 @dataclass(frozen=True)
@@ -90,13 +94,14 @@ def marked_plans(folder: str | Path) -> list[str]:
     return sorted(path.name.removesuffix("_walls.png") for path in folder.glob("*_walls.png"))
 
 
-def read_marked_plan(folder: str | Path, name: str, tolerance: float | None = None) -> MarkedPlan:
+def read_marked_plan(folder: str | Path, name: str, tolerance: float | None = None, windows: WindowsAre = "empty") -> MarkedPlan:
     """A drawing, its wall mask and its ignore mask.
 
     Parameters
     ----------
     folder, name : where they lie and what the drawing is called, without ".png"
     tolerance : pixels; half a cell of a mask of 224 cells when left out
+    windows : what the person who marked the walls took windows for
 
     Raises
     ------
@@ -110,7 +115,8 @@ def read_marked_plan(folder: str | Path, name: str, tolerance: float | None = No
     walls = _mask(folder / f"{name}_walls.png", drawing)
     ignored = folder / f"{name}_ignore.png"
     ignore = _mask(ignored, drawing) if ignored.is_file() else np.zeros_like(walls)
-    return MarkedPlan(drawing, Truth(walls, ignore), max(walls.shape) / MASK_CELLS / 2 if tolerance is None else tolerance)
+    tolerance = max(walls.shape) / MASK_CELLS / 2 if tolerance is None else tolerance
+    return MarkedPlan(drawing, Truth(walls, ignore), tolerance, windows)
 
 
 def score_real_plans(
@@ -143,11 +149,12 @@ def found_by(reader: Reader, drawing: Drawing, darkness: int | None = None) -> F
     return reader(drawing, **options)
 
 
-def mask_of(found: Found) -> NDArray[np.bool_]:
-    """(height, width) walls of what was found."""
+def mask_of(found: Found, windows: WindowsAre = "wall") -> NDArray[np.bool_]:
+    """(height, width) walls of what was found, with the ink of its windows or without."""
     if isinstance(found, np.ndarray):
         return found.astype(bool)
-    return found.walls.mask if isinstance(found, Extraction) else found.mask
+    walls = found.walls if isinstance(found, Extraction) else found
+    return walls.mask if windows == "wall" else walls.mask & ~walls.windows
 
 
 def score_plan(plan: MarkedPlan, title: str, reader: Reader) -> PlanRow:
@@ -199,16 +206,16 @@ def _row(plan: MarkedPlan, title: str, reader: Reader, darkness: int | None) -> 
     start = time.perf_counter()
     found = found_by(reader, plan.drawing, darkness)
     seconds = time.perf_counter() - start
-    mask = mask_of(found)
+    mask = mask_of(found, plan.windows)
     near_precision, near_recall = near_scores(mask, plan.truth, plan.tolerance)
-    ranked = ranked_by(found, plan.truth)
+    ranked = ranked_by(found, plan.truth, plan.windows)
     score = score_mask(mask, plan.truth)
     return PlanRow(plan.drawing.name, title, score, near_precision, near_recall, darkness, seconds, ranked)
 
 
-def ranked_by(found: Found, truth: Truth) -> Ranked | None:
+def ranked_by(found: Found, truth: Truth, windows: WindowsAre = "wall") -> Ranked | None:
     """The detected pixels by confidence, if what was found has one."""
-    return rank_pixels(found.confidence, found.walls.mask, truth) if isinstance(found, Extraction) else None
+    return rank_pixels(found.confidence, mask_of(found, windows), truth) if isinstance(found, Extraction) else None
 
 
 def near_scores(detected: NDArray[np.bool_], truth: Truth, tolerance: float) -> tuple[float, float]:

@@ -11,10 +11,12 @@ import numpy as np
 import pytest
 
 from priorlab.core.building import Truth
+from priorlab.core.drawing import WINDOW, Walls
 from priorlab.drawing.method import ROBUST, THESIS
 from priorlab.study.drawing_suite import METHODS
 from priorlab.study.real_plans import (
     marked_plans,
+    mask_of,
     near_scores,
     plans_table,
     read_marked_plan,
@@ -71,6 +73,18 @@ def test_score_real_plans_counts_by_hand(folder):
     assert (row.score.tp, row.score.fp, row.score.fn) == (6 * 90, 2 * 90 + 2 * 90, 2 * 90)
     assert row.darkness is None
     assert row.ranked is None
+
+
+def test_score_real_plans_windows_count_as_empty(folder):
+    def with_a_window(drawing):
+        labels = ink(drawing).astype(np.uint8)
+        labels[50:52] *= WINDOW  # the line is called a window
+        return Walls(labels)
+
+    (row,) = score_real_plans(folder, {"glazier": with_a_window}, names=["hut"])
+    assert (row.score.tp, row.score.fp, row.score.fn) == (6 * 90, 2 * 90, 2 * 90)
+    walls = with_a_window(read_marked_plan(folder, "hut").drawing)
+    assert mask_of(walls).sum() - mask_of(walls, "empty").sum() == 200
 
 
 def test_score_real_plans_gives_filters_their_best_threshold(folder):
