@@ -1,8 +1,8 @@
-"""The command line: `priorlab demo`, `run`, `figures`, `student`, `buildings`.
+"""The command line: `priorlab demo`, `run`, `localize`, `figures`, `student`, `buildings`.
 
 Exit codes: 0 a whole result; 2 bad input, one sentence on stderr; 3 a result without walls; 4 walls, but the way ended early
-(they do not close the building, or nobody knows the scale); 130 stopped by Ctrl-C. With 3 and 4 the report is written and says
-why.
+(they do not close the building, or nobody knows the scale); 5 the robot of `localize` got lost; 130 stopped by Ctrl-C. With 3, 4
+and 5 the results are written and say why.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from priorlab.core.drawing import Drawing
     from priorlab.pipeline import PipelineResult
 
-GOOD, BAD_INPUT, NO_WALLS, ENDED_EARLY, INTERRUPTED = 0, 2, 3, 4, 130
+GOOD, BAD_INPUT, NO_WALLS, ENDED_EARLY, LOST, INTERRUPTED = 0, 2, 3, 4, 5, 130
 
 DEMO_BUILDING = "office_floor"
 
@@ -71,7 +71,7 @@ def _parser() -> argparse.ArgumentParser:
         prog="priorlab",
         description="What does a Bayesian prior do to a robot's map? Every probability is P(the cell is EMPTY).",
         epilog="Exit codes: 0 good, 2 bad input, 3 no walls found (the report says where they were lost), 4 walls, but the way "
-        "ended early (the report says why), 130 stopped by Ctrl-C.",
+        "ended early (the report says why), 5 the robot got lost (the numbers say where), 130 stopped by Ctrl-C.",
     )
     parser.add_argument("--version", action="version", version=f"priorlab {importlib.metadata.version('priorlab')}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND", parser_class=_Parser)
@@ -92,6 +92,26 @@ def _parser() -> argparse.ArgumentParser:
     _how_to_run(run, out=None, method="robust")
     run.set_defaults(act=_run)
 
+    localize = commands.add_parser("localize", help="the log of your own robot (CARMEN) in the plan of its building")
+    localize.add_argument("log", metavar="LOG", help="CARMEN log, plain or gzip")
+    localize.add_argument("--map", required=True, metavar="FILE", help="the plan: a ROS map (its .yaml) or a drawing")
+    localize.add_argument("--metres-per-pixel", type=float, metavar="X", help="scale of a drawing; a ROS map knows its own")
+    localize.add_argument(
+        "--start",
+        nargs=3,
+        type=float,
+        required=True,
+        metavar=("X", "Y", "DEGREES"),
+        help="pose at the first scan in the map's frame, metres; of a drawing, from its lower left corner",
+    )
+    localize.add_argument(
+        "--max-range", type=float, metavar="M", help="beams from here on do not count (the laser's, at most 20)"
+    )
+    localize.add_argument("--wheel-noise", type=float, metavar="A", help="all four alphas of algorithm 6.3 (default 0.01)")
+    localize.add_argument("--resume", action="store_true", help="go on with a drive that was interrupted")
+    _where(localize, out="out/localize")
+    localize.set_defaults(act=_localize)
+
     figures = commands.add_parser("figures", help="a figure or table of the thesis anew: ours, with numbers and a verdict")
     figures.add_argument("name", nargs="?", metavar="NAME", help="as --list has it; 'all' makes every one")
     figures.add_argument("--list", action="store_true", help="list the names and leave")
@@ -107,7 +127,7 @@ def _parser() -> argparse.ArgumentParser:
 
     buildings = commands.add_parser("buildings", help="list the bundled buildings")
     buildings.set_defaults(act=_buildings)
-    for command in (demo, run, figures, student, buildings):
+    for command in (demo, run, localize, figures, student, buildings):
         command.add_argument("--traceback", action="store_true", help="show where in the code a complaint comes from")
     return parser
 
@@ -174,6 +194,52 @@ def _go(arguments: argparse.Namespace, drawing: Drawing, plan: FloorPlan | None)
         print(f"  {name:<34}{value}")
     print(f"\n  open {Path(arguments.out) / 'report.html'}")
     return exit_code(result)
+
+
+def _localize(arguments: argparse.Namespace) -> int:
+    """FastSLAM on a robot's own log."""
+    check_place(arguments.out, arguments.force, keep=[arguments.log, arguments.map])
+    import math
+
+    from priorlab.report.own_log import WHEEL_NOISE, drive_own_log, read_own_log, write_own_log
+
+    tell = _Clock()
+    tell("the log and the map")
+    x, y, degrees = arguments.start
+    noise = WHEEL_NOISE if arguments.wheel_noise is None else arguments.wheel_noise
+    start = (x, y, math.radians(degrees))
+    own = read_own_log(arguments.log, arguments.map, start, arguments.metres_per_pixel, arguments.max_range, noise)
+    out = Path(arguments.out)
+    out.absolute().parent.mkdir(parents=True, exist_ok=True)
+    part = out.with_name(f"{out.name}.part")
+    tell(f"FastSLAM on {len(own.log)} scans; Ctrl-C stops it, --resume goes on")
+    run = drive_own_log(own, part, arguments.seed, arguments.resume, arguments.force, _Steps())
+    tell("results")
+    notes = write_own_log(run, own, out, arguments.command_line, arguments.force)
+    part.unlink()
+    print(f"\n  {run.summary(log=own.corrected)}")
+    for note in notes:
+        print(f"  {note}")
+    print(f"\n  {out / 'map.png'}, map.yaml, trajectory.tum, run.npz, numbers.json")
+    return LOST if run.lost else GOOD
+
+
+class _Steps:
+    """How far a drive is: a line that rewrites itself in a terminal, a line every tenth elsewhere."""
+
+    def __init__(self) -> None:
+        self.start, self.first, self.shown = time.perf_counter(), 0, 0
+
+    def __call__(self, done: int, to_do: int) -> None:
+        self.first = self.first or done  # a drive that is gone on with does not begin at 0
+        alive = sys.stdout.isatty()
+        part = int((100 if alive else 10) * done / to_do)
+        if part == self.shown:
+            return
+        self.shown = part
+        left = (time.perf_counter() - self.start) * (to_do - done) / max(done - self.first, 1)
+        sentence = f"  step {done} of {to_do}, about {left:.0f} s to go"
+        print(f"\r{sentence:<60}" if alive else sentence, end="\n" if not alive or done == to_do else "", flush=True)
 
 
 class _Clock:

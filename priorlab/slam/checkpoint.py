@@ -11,13 +11,12 @@ are drawn again from poses and scans, to the last bit.
 
 from __future__ import annotations
 
-import io
+import contextlib
 import json
 import os
-import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,6 +29,7 @@ from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.map_update import see_cells, update_seen
 from priorlab.slam.parameters import Parameters
 from priorlab.slam.particles import Particles
+from priorlab.slam.record_file import append_record, pack_record, whole_records
 from priorlab.slam.recording import Recorder, Run
 from priorlab.slam.run_inputs import UNREADABLE, arrays_of, inputs_as_arrays, inputs_from_arrays
 from priorlab.slam.scan import choose_beams
@@ -39,7 +39,6 @@ EVERY = 50
 """Steps between two records: what a crash may cost at most."""
 
 _FORMAT = "priorlab checkpoint 1"
-_MARK = b"priorlab record\n"
 _GENERATORS = ("PCG64", "PCG64DXSM", "MT19937", "Philox", "SFC64")
 
 Progress = Callable[[int, int], None]
@@ -79,8 +78,8 @@ def run_with_checkpoints(
     check_free(path, force)
     words = {"every": int(every), "generator": generator}
     state = fast_slam.start(prior_map, log, rng)
-    first = _packed(inputs_as_arrays(_FORMAT, prior_map, log, fast_slam.parameters, **words))
-    write_file(path, first + _packed(_news(state, 0)))
+    first = pack_record(inputs_as_arrays(_FORMAT, prior_map, log, fast_slam.parameters, **words))
+    write_file(path, first + pack_record(_news(state, 0)))
     return _drive_on(fast_slam, state, Path(path), every, progress)
 
 
@@ -100,21 +99,41 @@ def resume(path: str | Path, progress: Progress | None = None) -> Run:
         When it is no checkpoint, or damaged elsewhere than at its end.
     """
     path = Path(path)
-    if not path.is_file():
-        raise FileNotFoundError(f"a checkpoint must lie at {path}, found no file there")
-    content = path.read_bytes()
-    try:
-        records, whole = _records(content)
+    content = _content(path)
+    with _sentence(path):
+        records, whole = whole_records(content)
         first, *news = [arrays_of(record) for record in records]
         prior_map, log, parameters, words = inputs_from_arrays(_FORMAT, first)
         fast_slam = FastSLAM(parameters)
         state = _restored(fast_slam, prior_map, log, words["generator"], news)
         every = int(words["every"])
-    except UNREADABLE as fault:
-        raise ValueError(f"{path} must be a checkpoint that priorlab wrote, got a damaged file: {fault}") from fault
     if whole < len(content):
         os.truncate(path, whole)
     return _drive_on(fast_slam, state, path, every, progress)
+
+
+def inputs_of(path: str | Path) -> tuple[GridMap, RobotLog, Parameters]:
+    """What the drive in a checkpoint started from; errors as `resume` has them."""
+    content = _content(Path(path))
+    with _sentence(Path(path)):
+        prior_map, log, parameters, _ = inputs_from_arrays(_FORMAT, arrays_of(whole_records(content)[0][0]))
+    return prior_map, log, parameters
+
+
+def _content(path: Path) -> bytes:
+    """The file's bytes."""
+    if not path.is_file():
+        raise FileNotFoundError(f"a checkpoint must lie at {path}, found no file there")
+    return path.read_bytes()
+
+
+@contextlib.contextmanager
+def _sentence(path: Path) -> Iterator[None]:
+    """Whatever a damaged file raises, as one sentence."""
+    try:
+        yield
+    except UNREADABLE as fault:
+        raise ValueError(f"{path} must be a checkpoint that priorlab wrote, got a damaged file: {fault}") from fault
 
 
 def _drive_on(fast_slam: FastSLAM, state: State, path: Path, every: int, progress: Progress | None) -> Run:
@@ -124,7 +143,7 @@ def _drive_on(fast_slam: FastSLAM, state: State, path: Path, every: int, progres
         while not state.done:
             fast_slam.step(state)
             if state.step - kept == every or state.done:
-                _append(file, _packed(_news(state, kept)))
+                append_record(file, pack_record(_news(state, kept)))
                 kept = state.step
             if progress:
                 progress(state.step, len(state.log))
@@ -178,40 +197,3 @@ def _redraw(state: State, recorder: Recorder, parameters: Parameters) -> None:
         rows, cols = state.log_odds.shape
         state.field.refresh(state.log_odds, slice(0, rows), slice(0, cols))
     state.recorder, state.step = recorder, len(recorder.poses)
-
-
-# --- records in a file -----------------------------------------------------------------------------------------------
-
-
-def _packed(arrays: dict[str, Any]) -> bytes:
-    """A record: mark, length, checksum, arrays."""
-    stream = io.BytesIO()
-    np.savez(stream, **arrays)
-    content = stream.getvalue()
-    return _MARK + len(content).to_bytes(8, "little") + zlib.crc32(content).to_bytes(4, "little") + content
-
-
-def _append(file: BinaryIO, record: bytes) -> None:
-    """Add a record and wait until the disk has it."""
-    file.write(record)
-    file.flush()
-    os.fsync(file.fileno())
-
-
-def _records(content: bytes) -> tuple[list[bytes], int]:
-    """The whole records, at least two, and where they end; what follows may only be one that was being added."""
-    records, place = [], 0
-    while place < len(content):
-        start = place + len(_MARK) + 12
-        length, checksum = (int.from_bytes(content[a:b], "little") for a, b in ((start - 12, start - 4), (start - 4, start)))
-        record = content[start : start + length]
-        is_marked = content[place : place + len(_MARK)] == _MARK
-        if not is_marked or start > len(content) or len(record) < length or zlib.crc32(record) != checksum:
-            break
-        records.append(record)
-        place = start + length
-    if len(records) < 2:
-        raise ValueError("it does not begin with whole records")
-    if _MARK in content[place + 1 :]:
-        raise ValueError(f"record {len(records)} is broken, and more follow")
-    return records, place

@@ -144,20 +144,24 @@ class Run:
         rows, cols = grid.xy_to_cell(np.where(outside[:, None], 0.0, xy)).T
         return outside | (self.prior_map.p_empty[rows, cols] < self.parameters.occupied_below)
 
-    def summary(self, truth: Truth | None = None) -> str:
-        """Errors, particles and, when the building is known, coverage in one line; a lost run says so first."""
+    def summary(self, truth: Truth | None = None, log: RobotLog | None = None) -> str:
+        """Errors, particles and, when the building is known, coverage in one line; a lost run says so first.
+
+        The errors are those against `log.truth`, of the run's own log when no other is given.
+        """
+        log = log or self.log
         words = [f"{len(self)} steps"]
         if self.lost:
             words.insert(0, f"LOST ({self.lost_because})")
-        if self.log.truth is not None:
-            words.append(f"ATE {self.ate_m():.3f} m")
+        if log.truth is not None:
+            words.append(f"ATE {self.ate_m(log):.3f} m")
             if len(self) > 1:
-                words.append(f"RPE {1000 * self.rpe_m():.1f} mm and {self.rpe_deg():.2f} degrees a step")
-            words.append(f"heading {self.heading_error_deg():.2f} degrees off (median)")
+                words.append(f"RPE {1000 * self.rpe_m(log):.1f} mm and {self.rpe_deg(log):.2f} degrees a step")
+            words.append(f"heading {self.heading_error_deg(log):.2f} degrees off (median)")
         words.append(f"{int(self.n_particles.min())} to {int(self.n_particles.max())} particles")
-        words.append(f"ESS {np.median(self.ess / self.n_particles):.0%} of them (median)")
+        words.append(f"ESS {100 * np.median(self.ess / self.n_particles):.0f} % of them (median)")
         if truth is not None:
-            words.append(f"{self.coverage(truth):.0%} of the walls seen")
+            words.append(f"{100 * self.coverage(truth):.0f} % of the walls seen")
         return ", ".join(words)
 
     def __repr__(self) -> str:

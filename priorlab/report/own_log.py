@@ -1,0 +1,209 @@
+"""A robot's own log in the plan of its building: where was it, and what is there today? The work of `priorlab localize`."""
+
+from __future__ import annotations
+
+import json
+import os
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.checks import check_poses, check_positive
+from priorlab.core.drawing import Walls
+from priorlab.core.files import new_folder
+from priorlab.core.grid_map import GridMap
+from priorlab.core.pose import compose, relative
+from priorlab.core.readings import RobotLog
+from priorlab.drawing.extraction import extract_walls
+from priorlab.interchange.carmen import read_carmen
+from priorlab.interchange.images import read_drawing
+from priorlab.interchange.ros_map import read_ros_map, write_ros_map
+from priorlab.interchange.trajectories import write_tum
+from priorlab.mapping.prior import build_prior_map
+from priorlab.pipeline import SLAM_CELL_M, SLAM_PRIOR
+from priorlab.plot.maps import map as draw_map
+from priorlab.report.pictures import picture, size_for
+from priorlab.slam.checkpoint import inputs_of, resume, run_with_checkpoints
+from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.parameters import TUNED, Parameters
+from priorlab.slam.recording import Run
+from priorlab.slam.run_file import save_run
+
+WHEEL_NOISE = 0.01
+"""All four alphas for wheels that nobody has measured; the simulated ones (0.002) are better than most."""
+
+LONGEST_M = 20.0
+"""Beams from here on are left out: over 20 m, a degree of heading moves a beam's end by 35 cm."""
+
+
+@dataclass(frozen=True, eq=False)
+class OwnLog:
+    """What is to be done: a log, the map to localize in, and the method's numbers.
+
+    Parameters
+    ----------
+    prior_map : m_0; its lower left corner is 0, 0
+    log : starts in that frame, and holds no truth
+    corrected : the same log; its truth is what a mapper has made of it, laid on the start. None when there is no such
+    parameters : `TUNED`, but for the laser's range and the wheels
+    origin : x, y (metres), theta of the map's lower left corner in the frame that the user speaks of (a ROS map's origin)
+    """
+
+    prior_map: GridMap
+    log: RobotLog
+    corrected: RobotLog | None
+    parameters: Parameters
+    origin: tuple[float, float, float]
+
+
+def read_own_log(
+    log_path: str | Path,
+    map_path: str | Path,
+    start: tuple[float, float, float],
+    metres_per_pixel: float | None = None,
+    max_range_m: float | None = None,
+    wheel_noise: float = WHEEL_NOISE,
+) -> OwnLog:
+    """Read a CARMEN log and the map it was driven in.
+
+    Parameters
+    ----------
+    log_path : CARMEN, plain or gzip
+    map_path : a ROS map's yaml file, or a drawing
+    start : x, y (metres) and theta (radians) of the laser at the first scan, in the map's frame: that of the yaml's origin, or
+        from the drawing's lower left corner
+    metres_per_pixel : scale of a drawing
+    max_range_m : beams from here on do not count; by default the laser's range, at most 20 m
+    wheel_noise : alpha_1 to alpha_4 of algorithm 6.3, variances per squared metre or radian
+
+    Poses that a mapper has corrected lie in a frame of their own. Laid on the start, they tell how well the robot kept track, but
+    not whether the start was right: so they are not taken for the truth when it is asked whether the robot got lost.
+    """
+    prior_map, origin = _read_prior_map(Path(map_path), metres_per_pixel)
+    log = read_carmen(log_path)
+    here = relative(np.asarray(origin), check_poses("start", [start])[0])
+    _check_on_map(prior_map, here, start, origin)
+    corrected = None if log.truth is None else compose(here, relative(log.truth[0], log.truth))
+    farthest = min(log.scanner.max_range_m, LONGEST_M) if max_range_m is None else check_positive("max_range_m", max_range_m)
+    return OwnLog(
+        prior_map,
+        replace(log, start=here, truth=None),
+        None if corrected is None else replace(log, start=here, truth=corrected),
+        replace(TUNED, max_range_m=farthest, alphas=(wheel_noise,) * 4),
+        origin,
+    )
+
+
+def _check_on_map(
+    prior_map: GridMap, here: NDArray[np.float64], start: tuple[float, ...], origin: tuple[float, float, float]
+) -> None:
+    """Say it in the user's frame when a start is off the map."""
+    grid = prior_map.grid
+    if not grid.contains(grid.metres_to_xy(here[:2])):
+        width_m, height_m = (side * grid.scale for side in grid.image_shape[::-1])
+        raise ValueError(
+            f"start must lie on the map, which reaches {width_m:.2f} x {height_m:.2f} m from x {origin[0]:g}, y {origin[1]:g}, "
+            f"got x {start[0]:g}, y {start[1]:g} m"
+        )
+
+
+def _read_prior_map(path: Path, metres_per_pixel: float | None) -> tuple[GridMap, tuple[float, float, float]]:
+    """m_0 and its origin, from a ROS map or a drawing."""
+    if path.suffix.lower() in (".yaml", ".yml"):
+        if metres_per_pixel is not None:
+            raise ValueError(f"metres_per_pixel must not be given with a ROS map, which knows its own, got {metres_per_pixel:g}")
+        ros = read_ros_map(path)
+        return ros.to_prior_map(SLAM_PRIOR), ros.origin
+    if metres_per_pixel is None:
+        raise ValueError("metres_per_pixel must be given with a drawing: a robot's ranges are in metres, got None")
+    drawing = read_drawing(path, metres_per_pixel)
+    walls = Walls(extract_walls(drawing).walls.labels, drawing.metres_per_pixel, drawing.name)
+    if not walls.mask.any():
+        raise ValueError(f"the drawing must show walls to localize by, got none that was found in {path}")
+    return build_prior_map(walls, SLAM_PRIOR, cell_size_m=max(SLAM_CELL_M, drawing.metres_per_pixel or 0.0)), (0.0, 0.0, 0.0)
+
+
+def drive_own_log(
+    own: OwnLog,
+    part: Path,
+    seed: int,
+    go_on: bool = False,
+    force: bool = False,
+    progress: Callable[[int, int], None] | None = None,
+) -> Run:
+    """FastSLAM through the log; what is done so far lies in `part`, and with `go_on` it is gone on with.
+
+    Raises
+    ------
+    FileExistsError
+        When an interrupted drive lies there and neither `go_on` nor `force` is given.
+    ValueError
+        When the one that lies there is another log's, or began elsewhere.
+    """
+    if not go_on:
+        if os.path.lexists(part) and not force:
+            raise FileExistsError(f"{part} holds a drive that was interrupted: go on with --resume, or begin anew with --force")
+        fast_slam, rng = FastSLAM(own.parameters), np.random.default_rng(seed)
+        return run_with_checkpoints(fast_slam, own.prior_map, own.log, rng, part, progress=progress, force=force)
+    prior_map, log, parameters = inputs_of(part)
+    same = parameters == own.parameters and all(
+        np.array_equal(one, other, equal_nan=True)
+        for one, other in (
+            (prior_map.log_odds, own.prior_map.log_odds),
+            (log.ranges, own.log.ranges),
+            (log.odometry, own.log.odometry),
+            (log.start, own.log.start),
+        )
+    )
+    if not same:
+        raise ValueError(f"{part} must be a drive with this log, map, start and range to go on with it, got another one's")
+    return resume(part, progress)
+
+
+def write_own_log(run: Run, own: OwnLog, out: str | Path, command: str, force: bool = False) -> list[str]:
+    """Write what came of it into a new folder; what there is to say about it, in sentences.
+
+    run.npz; trajectory.tum, and corrected.tum when the log has such poses, in the frame of the map that came in; map.yaml and
+    map.pgm, the map as it is today, for ROS; map.png, the same with the way; numbers.json.
+    """
+    with new_folder(out, force) as folder, warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always", UserWarning)
+        save_run(run, folder / "run.npz")
+        ways = {"trajectory": run.trajectory, "corrected": None if own.corrected is None else own.corrected.truth}
+        for name, way in ways.items():
+            if way is not None:
+                write_tum(folder / f"{name}.tum", compose(np.asarray(own.origin), way), run.log.stamps)
+        write_ros_map(folder / "map.yaml", run.map, origin=own.origin)
+        grid = run.map.grid
+        drawn = picture(lambda ax: draw_map(run.map, ax, run.trajectory), "", "", size_for(grid.shape))
+        (folder / "map.png").write_bytes(drawn.png)
+        notes = [str(one.message) for one in told if issubclass(one.category, UserWarning)]
+        numbers = numbers_of_run(run, own.corrected) | {"notes": notes, "command": command}
+        (folder / "numbers.json").write_text(json.dumps(numbers, indent=2, allow_nan=False) + "\n")
+    return notes
+
+
+def numbers_of_run(run: Run, corrected: RobotLog | None) -> dict[str, Any]:
+    """What can be measured of a run, unrounded; errors are None without corrected poses to hold it against."""
+    known = corrected is not None
+    explained = float(np.nanmedian(run.explained)) if np.isfinite(run.explained).any() else None
+    return {
+        "steps": len(run),
+        "lost": run.lost_because,
+        "ate_m": run.ate_m(corrected) if known else None,
+        "rpe_m": run.rpe_m(corrected) if known and len(run) > 1 else None,
+        "rpe_deg": run.rpe_deg(corrected) if known and len(run) > 1 else None,
+        "heading_error_deg": run.heading_error_deg(corrected) if known else None,
+        "particles": [int(run.n_particles.min()), int(run.n_particles.max())],
+        "median_ess_share": float(np.median(run.ess / run.n_particles)),
+        "median_beams_explained": explained,
+        "map_m": [side * run.map.grid.scale for side in run.map.grid.image_shape[::-1]],
+        "cell_m": run.map.grid.cell_size_m,
+        "max_range_m": run.parameters.max_range_m,
+        "alphas": list(run.parameters.alphas),
+    }

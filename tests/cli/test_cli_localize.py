@@ -1,0 +1,191 @@
+"""`priorlab localize`: a robot's log, made by the simulator, in a plan that is a ROS map or a drawing."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+
+import cv2
+import numpy as np
+import pytest
+
+from priorlab.cli import main
+from priorlab.core.building import World
+from priorlab.core.drawing import WALL, Walls
+from priorlab.core.pose import compose
+from priorlab.core.readings import RobotLog
+from priorlab.core.sensor import Scanner
+from priorlab.interchange.carmen_writing import write_carmen
+from priorlab.interchange.ros_map import read_ros_map, write_ros_map
+from priorlab.interchange.trajectories import read_tum
+from priorlab.robot.drive import drive
+from priorlab.slam.run_file import load_run
+
+PIXEL_M = 0.05
+ORIGIN = (-10.0, 5.0, 0.5)
+START = (1.0, 1.5, 0.0)
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory):
+    """Two rooms of 10 x 5 m: as a drawing, as a ROS map that lies elsewhere and turned, and the log of a laser in them."""
+    folder = tmp_path_factory.mktemp("place")
+    walls = np.zeros((120, 220), dtype=bool)
+    walls[10:110, 10:14], walls[10:110, 206:210], walls[10:14, 10:210], walls[106:110, 10:210] = True, True, True, True
+    walls[10:110, 100:104] = True
+    walls[60:78, 100:104] = False  # a way through
+    cv2.imwrite(str(folder / "plan.png"), np.where(walls, 0, 255).astype(np.uint8))
+    write_ros_map(folder / "plan.yaml", Walls((walls * WALL).astype(np.uint8), PIXEL_M), origin=ORIGIN)
+    laser = Scanner(n_beams=181, field_of_view=np.pi, min_range_m=0.1, max_range_m=8.0)
+    log = drive(
+        World(walls, PIXEL_M), [START[:2], (3.0, 2.5), (8.0, 2.5), (8.5, 3.5)], laser, rng=np.random.default_rng(0), step_m=0.15
+    )
+    write_carmen(folder / "drive.log.gz", log)
+    write_carmen(folder / "blind.log", RobotLog(log.odometry, log.ranges, log.bearings, log.scanner, log.start))
+    return folder, log
+
+
+def degrees_at(pose):
+    """X, Y, DEGREES as a user types them."""
+    return [f"{pose[0]:.9f}", f"{pose[1]:.9f}", f"{np.degrees(pose[2]):.9f}"]
+
+
+def localize(folder, log_name, plan, out, start, *more):
+    return [
+        "localize", str(folder / log_name), "--map", str(folder / plan), "--start", *start, "--out", str(out), *more,
+    ]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def done(place, tmp_path_factory):
+    """The command on the ROS map, once."""
+    folder, log = place
+    out = tmp_path_factory.mktemp("done") / "out"
+    code = main(localize(folder, "drive.log.gz", "plan.yaml", out, degrees_at(compose(np.array(ORIGIN), log.start))))
+    return out, code
+
+
+def test_localize_writes_the_run_the_way_and_the_map(place, done):
+    (_, log), (out, code) = place, done
+    assert code == 0
+    assert sorted(path.name for path in out.iterdir()) == [
+        ".priorlab", "corrected.tum", "map.pgm", "map.png", "map.yaml", "numbers.json", "run.npz", "trajectory.tum",
+    ]  # fmt: skip
+    assert [path.name for path in out.parent.iterdir()] == ["out"]  # the drive's own file is gone
+    run = load_run(out / "run.npz")
+    numbers = json.loads((out / "numbers.json").read_text())
+    assert numbers["ate_m"] == pytest.approx(run.ate_m(log), abs=1e-6) and run.ate_m(log) < 0.15
+    assert numbers["lost"] is None and numbers["steps"] == len(log)
+    assert cv2.imread(str(out / "map.png")).shape[0] > 100
+
+
+def test_localize_speaks_in_the_frame_of_the_map_that_came_in(place, done):
+    (_, log), (out, _) = place, done
+    _, way = read_tum(out / "trajectory.tum")
+    _, truth = read_tum(out / "corrected.tum")
+    np.testing.assert_allclose(truth[:, :2], compose(np.array(ORIGIN), log.truth)[:, :2], atol=1e-6)
+    ate = np.sqrt(np.mean(np.sum((way - truth)[:, :2] ** 2, axis=1)))
+    assert ate == pytest.approx(load_run(out / "run.npz").ate_m(log), abs=1e-6)
+    made, given = read_ros_map(out / "map.yaml"), read_ros_map(place[0] / "plan.yaml")
+    assert made.origin == ORIGIN and made.grid == given.grid
+    wall = given.occupancy == 100
+    assert (made.occupancy[wall] == 100).mean() > 0.8 and (made.occupancy[~wall] == 100).mean() < 0.05
+
+
+def test_localize_takes_a_drawing_and_a_log_without_truth(place, tmp_path, capsys):
+    folder, _ = place
+    command = localize(folder, "blind.log", "plan.png", tmp_path / "out", degrees_at(START), "--metres-per-pixel", "0.05")
+    command[command.index("--start") + 3] = "26.565"  # towards the second corner
+    assert main(command) == 0
+    numbers = json.loads((tmp_path / "out" / "numbers.json").read_text())
+    assert numbers["ate_m"] is None and numbers["lost"] is None and not (tmp_path / "out" / "corrected.tum").exists()
+    assert numbers["map_m"] == pytest.approx([11, 6])
+    said = capsys.readouterr().out
+    assert "to go" in said and "ATE" not in said and "ESS" in said
+
+
+def test_localize_says_when_the_robot_got_lost(place, tmp_path, capsys):
+    folder, _ = place
+    command = localize(folder, "drive.log.gz", "plan.png", tmp_path / "out", ["5.5", "4.9", "180"], "--metres-per-pixel", "0.05")
+    assert main([*command, "--max-range", "3", "--wheel-noise", "0.001"]) == 5
+    assert json.loads((tmp_path / "out" / "numbers.json").read_text())["lost"]
+    assert "LOST (" in capsys.readouterr().out
+
+
+def test_localize_goes_on_after_an_interruption(place, done, tmp_path):
+    """Ctrl-C in another process; what comes of the rest is what came of the whole."""
+    folder, log = place
+    out = tmp_path / "out"
+    command = localize(folder, "drive.log.gz", "plan.yaml", out, degrees_at(compose(np.array(ORIGIN), log.start)))
+    driver = subprocess.Popen(
+        [sys.executable, "-u", "-m", "priorlab.cli", *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    for line in driver.stdout:
+        if "  step " in line and int(line.split()[1]) >= 55:
+            driver.send_signal(signal.SIGINT)
+            break
+    _, said = driver.communicate(timeout=60)
+    assert driver.returncode == 130 and "interrupted" in said
+    assert [path.name for path in tmp_path.iterdir()] == ["out.part"]
+    assert main([*command, "--resume"]) == 0
+    assert [path.name for path in tmp_path.iterdir()] == ["out"]
+    np.testing.assert_array_equal(load_run(out / "run.npz").trajectory, load_run(done[0] / "run.npz").trajectory)
+    assert (out / "map.pgm").read_bytes() == (done[0] / "map.pgm").read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"--map": "plan.png"}, "metres_per_pixel must be given with a drawing"),
+        ({"--metres-per-pixel": "0.1"}, "metres_per_pixel must not be given with a ROS map"),
+        ({"--map": "none.yaml"}, "the map's yaml must be a file, found none"),
+        ({"log": "none.log"}, "the log must be a file, found none"),
+        ({"log": "plan.png"}, "a CARMEN log must be text"),
+        ({"start": ["0", "0", "0"]}, "start must lie on the map, which reaches 11.00 x 6.00 m from x -10, y 5, got x 0, y 0 m"),
+        ({"start": ["nan", "0", "0"]}, "start must be finite numbers"),
+        ({"--max-range": "-1"}, "max_range_m must be a finite number above 0, got -1"),
+        ({"--wheel-noise": "-1"}, "alphas must be 4 finite numbers of at least 0"),
+        ({"--resume": None}, "a checkpoint must lie at"),
+    ],
+)
+def test_localize_says_what_is_wrong(place, tmp_path, capsys, change, sentence):
+    folder, log = place
+    start = change.get("start", degrees_at(compose(np.array(ORIGIN), log.start)))
+    command = localize(folder, change.get("log", "drive.log.gz"), change.get("--map", "plan.yaml"), tmp_path / "out", start)
+    for name in ("--metres-per-pixel", "--max-range", "--wheel-noise", "--resume"):
+        command += [] if name not in change else [name] if change[name] is None else [f"{name}={change[name]}"]
+    assert main(command) == 2
+    said = capsys.readouterr().err
+    assert sentence in said and said.count("\n") == 1
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_localize_guards_a_drive_that_was_interrupted(place, tmp_path, capsys):
+    folder, log = place
+    start = degrees_at(compose(np.array(ORIGIN), log.start))
+    (tmp_path / "out.part").write_bytes(b"torn")
+    command = localize(folder, "drive.log.gz", "plan.yaml", tmp_path / "out", start)
+    assert main(command) == 2
+    assert "holds a drive that was interrupted: go on with --resume, or begin anew with --force" in capsys.readouterr().err
+    assert main([*command, "--resume"]) == 2
+    assert "must be a checkpoint that priorlab wrote, got a damaged file" in capsys.readouterr().err
+    assert (tmp_path / "out.part").read_bytes() == b"torn"
+
+
+def test_localize_goes_on_with_its_own_drive_only(place, tmp_path, capsys):
+    from priorlab.report.own_log import drive_own_log, read_own_log
+
+    folder, log = place
+    own = read_own_log(folder / "blind.log", folder / "plan.yaml", tuple(compose(np.array(ORIGIN), log.start)))
+
+    def stop(done, to_do):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        drive_own_log(own, tmp_path / "out.part", seed=0, progress=stop)
+    elsewhere = compose(np.array(ORIGIN), log.start + [0.1, 0, 0])
+    command = localize(folder, "blind.log", "plan.yaml", tmp_path / "out", degrees_at(elsewhere), "--resume")
+    assert main(command) == 2
+    assert "must be a drive with this log, map, start and range to go on with it" in capsys.readouterr().err
+    assert os.listdir(tmp_path) == ["out.part"]
