@@ -14,7 +14,7 @@ from priorlab.widgets.plane import LEFT, TOP, Plane
 from priorlab.widgets.sliders import Slider
 
 N_PARTICLES = 400
-SIDE = 380
+SIDE = 320
 """Both axes, CSS pixels: a metre is as long upwards as to the right."""
 
 _WHEELS = {"alpha_1": 0.004, "alpha_2": 0.004, "alpha_3": 0.004, "alpha_4": 0.004, "std": 0, "literal": 0}
@@ -97,10 +97,9 @@ class MotionLab(Lab):
             ("&delta;<sub>trans</sub>", f"{1000 * trans:.0f} mm &plusmn; {1000 * line:.0f} mm"),
             ("&delta;<sub>rot2</sub>", f"{np.degrees(rot2):+.1f}&deg; &plusmn; {np.degrees(second):.1f}&deg;"),
             ("sample(b) takes b as", "deviation" if self.std.value else "variance"),
-            ("a rotation by &pi; counts as", "&pi; (as printed)" if self.literal.value else "0 (symmetric)"),
-            ("after all steps: place", f"<b>&plusmn; {self.spread_m:.2f} m</b>"),
-            ("after all steps: heading", f"<b>&plusmn; {self.spread_deg:.0f}&deg;</b>"),
-            ("picture", f"{N_PARTICLES} particles, each with a stroke<br>where it looks; red: what the wheels say"),
+            ("noise of a turn by &pi;", "of &pi; (as printed)" if self.literal.value else "of 0 (symmetric)"),
+            ("after the last step", f"<b>&plusmn; {self.spread_m:.2f} m, &plusmn; {self.spread_deg:.0f}&deg;</b>"),
+            ("picture", f"blue: {N_PARTICLES} particles, and where<br>they look; red: as the wheels say"),
         ]
         self.readout.value = table(rows, caption="one step, and what noise it gets")
 

@@ -68,10 +68,10 @@ class ResampleLab(Lab):
             ("effective number ESS", f"<b>{self.ess:.1f}</b> of {len(self.weights)}"),
             ("heaviest weight", f"{self.weights.max():.3f}"),
             ("drawn", f"{n} times, {name}"),
-            ("different particles that go on", f"<b>{self.survivors}</b>"),
+            ("different ones go on", f"<b>{self.survivors}</b>"),
             ("heaviest: owed, drawn", f"{self.owed.max():.2f}, {self.copies[self.weights.argmax()]}"),
             (f"heaviest: in {N_SPINS} spins", self._range(int(self.weights.argmax()))),
-            ("picture", f"blue bar: draws owed, N w;<br>dot: drawn; line: fewest to most<br>in {N_SPINS} spins"),
+            ("picture", f"bar: draws owed, N w; dot: drawn;<br>line: from fewest to most<br>in {N_SPINS} spins"),
         ]
         self.readout.value = table(rows, caption="weights and draws")
 
@@ -97,7 +97,7 @@ class ResampleLab(Lab):
         step = next(step for step in (1, 2, 5, 10, 20, 50) if top / step <= 8)
         ticks, names = np.arange(n) + 0.5, [str(number) for number in range(n)]
         plane = Plane(
-            (0, n), (0, top), ("particle", "copies"), "draws owed and drawn", (480, 320), 16, ticks.tolist(),
+            (0, n), (0, top), ("particle", "copies"), "draws owed and drawn", (420, 320), 16, ticks.tolist(),
             np.arange(0, top, step).tolist(), names,
         )  # fmt: skip
         for number, owed in enumerate(self.owed.tolist()):

@@ -25,11 +25,11 @@ from priorlab.widgets.sliders import Slider
 
 STAGES = ("sample", "weigh", "estimate", "resample")
 DONE = {
-    "start": "none: the robot stands at its start",
-    "sample": "1 <b>sample</b>: moved as the wheels say, each<br>with noise of its own (alg. 6.3, eq. 2.6)",
-    "weigh": "2 <b>weigh</b>: how well does each explain<br>the scan? (alg. 6.4, eq. 2.7)",
-    "estimate": "3 <b>estimate</b>: the mean of the heaviest<br>cluster, before resampling",
-    "resample": "4 <b>resample</b>: drawn by weight; from now<br>on all weigh the same (alg. 6.2)",
+    "start": "none: it stands at its start",
+    "sample": "1 <b>sample</b> (eq. 2.6): moved as the<br>wheels say, with noise of its own",
+    "weigh": "2 <b>weigh</b> (eq. 2.7): how well does<br>each explain the scan?",
+    "estimate": "3 <b>estimate</b>: the mean of the<br>heaviest cluster",
+    "resample": "4 <b>resample</b> (alg. 6.2): drawn by<br>weight; now all weigh the same",
 }
 HALF_M, ZOOM = 3.0, 3
 
@@ -63,6 +63,8 @@ class StepLab(Lab):
         self._rng, self._last = copy.deepcopy(rng), len(STAGES) * len(log)
         self._run_of = lru_cache(maxsize=None)(self._start_run)
         self._grey = grey_of(grid_map.p_empty / grid_map.p_empty.max())
+        self._paper = FloorCanvas(grid_map.grid, self._grey, faint=0.3)
+        self._paper.way(log.truth, GREEN)
         self.at = Slider("stages done", 0, 0, self._last, 1, "four stages a step: sample, weigh, estimate, resample")
         self.filter = ipywidgets.Dropdown(options=list(filters), description="filter:", layout=ipywidgets.Layout(width="auto"))
         self.filter.observe(self._moved, "value")
@@ -74,7 +76,7 @@ class StepLab(Lab):
             "half way": {"at": len(STAGES) * (len(log) // 2)},
             "the end": {"at": self._last},
         }
-        super().__init__({"at": self.at}, presets, [Picture(width=width), Picture()], [*moves, self.play, self.filter])
+        super().__init__({"at": self.at}, presets, [Picture(width=width), Picture(width=330)], [*moves, self.play, self.filter])
 
     def next(self, by: int = 1) -> None:
         """Take the next stage (or, with -1, the last one back); at the ends nothing happens."""
@@ -135,8 +137,8 @@ class StepLab(Lab):
     def _show(self, seen_from: Step | None) -> None:
         """Both pictures and the numbers; with the scan, once there is an estimate to see it from."""
         weights = self.particles.weights
-        floor = FloorCanvas(self._map.grid, self._grey, faint=0.3)
-        floor.way(self._truth, GREEN)
+        floor = copy.copy(self._paper)
+        floor.picture = self._paper.picture.copy()
         floor.particles(self.particles.poses, weights)
         near = FloorCanvas(self._map.grid, self._grey, ZOOM, self.truth[:2], HALF_M, faint=0.3)
         near.way(self._truth, GREEN)
@@ -160,10 +162,10 @@ class StepLab(Lab):
             ("step", f"{self.step} of {len(self._log)}"),
             ("last stage", DONE[self.stage]),
             ("particles N", f"<b>{n}</b>"),
-            ("effective number ESS", f"<b>{self.particles.effective_number:.0f}</b>"),
-            ("heaviest weight, in shares of 1/N", f"{n * weights.max():.2f}"),
-            ("spread, bins", f"{spread:.2f} m, {n_bins} bins"),
+            ("effective number", f"<b>{self.particles.effective_number:.0f}</b>"),
+            ("heaviest weight, x N", f"{n * weights.max():.2f}"),
+            ("spread", f"{spread:.2f} m, {n_bins} bins"),
             ("last estimate", "none yet" if self.pose is None else f"<b>{100 * self.error_m:.0f} cm</b> from the truth"),
             ("particles", "blue: light, orange: heavy"),
-            ("triangles", "green: the truth, pink: the estimate,<br>and the scan as seen from it"),
+            ("green, pink", "the truth; the estimate,<br>and the scan as seen from it"),
         ]
