@@ -59,7 +59,7 @@ class PairLab(Lab):
         self.p_space = Slider("p_space", 0.8, 0.05, 1.0, 0.01, "P(empty) where the plan shows space, before the factor 0.9")
         self.lam = Slider("lam", 1, 0, 1, 0.05, "1: eq. 6.2 as printed, l0 comes off with every scan; 0: never")
         self.thickening_m = Slider("thickening, m", 0.1, 0, THICKEST_M, STEP_M, "how far behind a hit the wall is drawn")
-        self.threshold = Slider("threshold", 0.5, 0.05, 0.8, 0.05, "at or below this P(empty) a cell counts as wall")
+        self.threshold = Slider("threshold", 0.5, 0.05, 0.5, 0.05, "at or below this P(empty) a cell counts as wall")
         names = ("p_wall", "p_space", "lam", "thickening_m", "threshold")
         pictures = [Picture(width=WIDTH), Picture(width=WIDTH)]
         super().__init__({name: getattr(self, name) for name in names}, PRESETS, pictures)
@@ -81,7 +81,8 @@ class PairLab(Lab):
             (self.pictures[1], self.without, "Without a plan, same poses and scans", self.worth.uninformed),
         ):
             picture.show(self._counted(one, threshold), f"{name}. {LEGEND}. F2 {score.f_beta:.3f}. {self.summary()}")
-        self.readout.value = table(self._numbers(), caption=f"detected as wall: P(empty) &le; {threshold:g}, known to be so")
+        sign = "&lt;" if threshold == 0.5 else "&le;"  # a cell at 0.5 knows nothing
+        self.readout.value = table(self._numbers(), caption=f"detected as wall: P(empty) {sign} {threshold:g}")
 
     def summary(self) -> str:
         """The sliders and the pair, as coarsely as a filter's chance allows."""

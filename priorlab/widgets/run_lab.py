@@ -93,8 +93,9 @@ class RunLab(Lab):
         self.which.observe(self._other_run, "value")
         presets: dict[str, dict[str, float]] = {
             "the start": {"step": 1},
-            "a tenth": {"step": last // 10},
-            "half": {"step": last // 2},
+            "a tenth": {"step": max(1, last // 10)},
+            "half": {"step": max(1, last // 2)},
+            "the end": {"step": last},
         }
         controls = [self.play, self.back, self.on, self.shown, self.truth, *([self.which] if len(runs) > 1 else [])]
         super().__init__({"step": self.step}, presets, [Picture(), Picture(), Picture()], controls)
@@ -111,6 +112,12 @@ class RunLab(Lab):
         self.gain_percent = 100 * (self.f2[WITH] / self.f2[WITHOUT] - 1) if self.f2[WITHOUT] else float("nan")
         self.ate_m = absolute_trajectory_error_m(self.run.trajectory[:k], true_poses(self.run.log)[:k])
         self._show(recorded, k - 1)
+
+    def set(self, **values: float) -> None:
+        """Several at once; a step beyond the end of a shorter run is its last."""
+        if "step" in values:
+            values["step"] = min(values["step"], self.step.max)
+        super().set(**values)
 
     def reset(self) -> None:
         """Everything back to where it stood at first."""
@@ -173,8 +180,8 @@ class RunLab(Lab):
         near.beams(pose, choose_beams(run.log, k, run.parameters).points, BEAMS)
         near.particles(particles, stroke_m=0.12)
         if self.truth.value:
-            near.robot(truth[k], TRUE_WAY)
-        near.robot(pose, ESTIMATE)
+            near.robot(truth[k], TRUE_WAY, 0.34)
+        near.robot(pose, ESTIMATE, 0.2)
         self.pictures[1].show(near.picture, f"Round the robot: beams in orange, {len(particles)} particles in light blue. {said}")
 
         plane = self._planes(self.which.value).copy()
