@@ -57,6 +57,17 @@ def check_rng(rng: object) -> np.random.Generator:
     return rng
 
 
+def check_record(name: str, value: object, kind: type) -> None:
+    """Say when something else stands where a record belongs; an array has none of its names.
+
+    >>> check_record("log", [1, 2], dict)
+    Traceback (most recent call last):
+    ValueError: log must be a dict, got list
+    """
+    if not isinstance(value, kind):
+        raise ValueError(f"{name} must be a {kind.__name__}, got {type(value).__name__}")
+
+
 def check_image(name: str, image: ArrayLike, dtype: type = bool) -> NDArray:
     """Return a 2-D array of `dtype` with at least one pixel, or say what is wrong with it."""
     array = np.asarray(image)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from priorlab.core.checks import check_record
 from priorlab.core.files import check_free, write_file
 from priorlab.core.readings import RobotLog
 from priorlab.interchange.carmen import TRUE_POSES
@@ -45,6 +46,7 @@ def write_carmen(path: str | os.PathLike[str], log: RobotLog, force: bool = Fals
     ROBOTLASER1 0 -0.5 1 0.5 3 0.02 0 3 0.5 3 1.5 0 1 2 0 1 2 0 0 0 0 0 0 0 priorlab 0
     """
     path = Path(path)
+    check_record("log", log, RobotLog)
     if len(log) == 0:
         raise ValueError("the log must hold at least one scan, got 0")
     before_ranges = _before_ranges(log)

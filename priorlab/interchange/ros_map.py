@@ -16,7 +16,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_probability
+from priorlab.core.checks import check_probability, check_record
 from priorlab.core.drawing import Walls
 from priorlab.core.files import check_free, write_file
 from priorlab.core.grid import Grid
@@ -144,6 +144,7 @@ def write_ros_map(
     if isinstance(grid_map, Walls):
         grid, p_empty = Grid(grid_map.shape, 1, grid_map.metres_per_pixel), (~grid_map.mask).astype(np.float64)
     else:
+        check_record("grid_map", grid_map, GridMap)
         grid, p_empty = grid_map.grid, grid_map.p_empty
     thresholds = (1.0, 0.0) if mode == "scale" else (OCCUPIED_THRESH, FREE_THRESH)
     image_path = path.with_suffix(f".{image_format}")

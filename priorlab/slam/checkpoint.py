@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_rng
+from priorlab.core.checks import check_record, check_rng, check_whole
 from priorlab.core.files import check_free, write_file
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
@@ -70,13 +70,14 @@ def run_with_checkpoints(
     ValueError
         As `FastSLAM.run`, and when `every` is below 1 or `rng` none of NumPy's own.
     """
-    if every < 1:
-        raise ValueError(f"every must be at least 1, got {every}")
+    for name, value, kind in (("fast_slam", fast_slam, FastSLAM), ("prior_map", prior_map, GridMap), ("log", log, RobotLog)):
+        check_record(name, value, kind)
+    every = check_whole("every", every)
     generator = type(check_rng(rng).bit_generator).__name__
     if generator not in _GENERATORS:
         raise ValueError(f"rng must draw from one of {', '.join(_GENERATORS)} to be gone on with, got {generator}")
     check_free(path, force)
-    words = {"every": int(every), "generator": generator}
+    words = {"every": every, "generator": generator}
     state = fast_slam.start(prior_map, log, rng)
     first = pack_record(inputs_as_arrays(_FORMAT, prior_map, log, fast_slam.parameters, **words))
     write_file(path, first + pack_record(_news(state, 0)))

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.building import Truth
+from priorlab.core.checks import check_record
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
 from priorlab.slam.localization import Localized
@@ -75,6 +76,7 @@ class Run:
 
     def remap(self, prior_map: GridMap) -> GridMap:
         """The map that the same poses and scans make of another prior: maps with and without a plan are compared in pairs."""
+        check_record("prior_map", prior_map, GridMap)
         log_odds_map = prior_map.log_odds.copy()
         for k in range(len(self)):
             self._draw(log_odds_map, k, prior_map)
@@ -87,6 +89,7 @@ class Run:
 
     def coverage(self, truth: Truth, step: int = -1) -> float:
         """Share of the truth's wall pixels whose cell some scan has said something about, up to a step; don't-care left out."""
+        check_record("truth", truth, Truth)
         grid, step = self.prior_map.grid, self._check_step(step)
         if truth.shape != grid.image_shape:
             raise ValueError(f"map and truth must have one shape, got {grid.image_shape} and {truth.shape}")
@@ -112,19 +115,23 @@ class Run:
 
     def ate_m(self, log: RobotLog | None = None) -> float:
         """Absolute trajectory error: root of the mean squared distance to the true position, metres, without alignment."""
-        return absolute_trajectory_error_m(self.trajectory, true_poses(log or self.log))
+        return absolute_trajectory_error_m(self.trajectory, self._truth(log))
 
     def rpe_m(self, log: RobotLog | None = None, delta: int = 1) -> float:
         """Relative pose error over `delta` steps, metres: the drift."""
-        return relative_pose_error_m(self.trajectory, true_poses(log or self.log), delta)
+        return relative_pose_error_m(self.trajectory, self._truth(log), delta)
 
     def rpe_deg(self, log: RobotLog | None = None, delta: int = 1) -> float:
         """Rotation of the relative pose error over `delta` steps, degrees."""
-        return float(np.degrees(relative_heading_error(self.trajectory, true_poses(log or self.log), delta)))
+        return float(np.degrees(relative_heading_error(self.trajectory, self._truth(log), delta)))
 
     def heading_error_deg(self, log: RobotLog | None = None) -> float:
         """Median size of the heading's error, degrees."""
-        return float(np.degrees(np.median(np.abs(heading_errors(self.trajectory, true_poses(log or self.log))))))
+        return float(np.degrees(np.median(np.abs(heading_errors(self.trajectory, self._truth(log))))))
+
+    def _truth(self, log: RobotLog | None) -> NDArray[np.float64]:
+        """(T, 3) true poses of a log, the run's own when no other is given."""
+        return true_poses(self.log if log is None else log)
 
     @cached_property
     def lost_because(self) -> str | None:
@@ -149,7 +156,7 @@ class Run:
 
         The errors are those against `log.truth`, of the run's own log when no other is given.
         """
-        log = log or self.log
+        log = self.log if log is None else log
         words = [f"{len(self)} steps"]
         if self.lost:
             words.insert(0, f"LOST ({self.lost_because})")

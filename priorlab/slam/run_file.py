@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from priorlab.core.checks import check_record
 from priorlab.core.files import check_free, write_file
 from priorlab.slam.recording import Run
 from priorlab.slam.run_inputs import UNREADABLE, arrays_of, inputs_as_arrays, inputs_from_arrays
@@ -28,6 +29,7 @@ def save_run(run: Run, path: str | Path, force: bool = False) -> None:
     FileExistsError
         When something stands at `path` and `force` is not given.
     """
+    check_record("run", run, Run)
     check_free(path, force)
     arrays = inputs_as_arrays(_FORMAT, run.prior_map, run.log, run.parameters)
     arrays |= {name: getattr(run, name) for name in _STEPS} | pack_sample(run.sample)

@@ -9,13 +9,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_poses
+from priorlab.core.checks import check_poses, check_record
 from priorlab.core.pose import compose, relative, wrap_angle
 from priorlab.core.readings import RobotLog
 
 
 def true_poses(log: RobotLog) -> NDArray[np.float64]:
     """(T, 3) true poses of a log; a sentence when nobody knows them."""
+    check_record("log", log, RobotLog)
     if log.truth is None:
         raise ValueError("the log must hold true poses to measure an error, got none: only simulated or surveyed drives do")
     return log.truth

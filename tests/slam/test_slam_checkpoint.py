@@ -156,7 +156,10 @@ def test_resume_says_what_is_damaged(tmp_path, slam_prior, log):
 def test_run_with_checkpoints_says_what_is_wrong(tmp_path, slam_prior, log):
     path = tmp_path / "a"
     for change, sentence in (
-        ({"every": 0}, "every must be at least 1, got 0"),
+        ({"every": 0}, "every must be a whole number of at least 1, got 0"),
+        ({"prior_map": np.zeros((3, 3))}, "prior_map must be a GridMap, got ndarray"),
+        ({"log": np.zeros((3, 3))}, "log must be a RobotLog, got ndarray"),
+        ({"fast_slam": None}, "fast_slam must be a FastSLAM, got NoneType"),
         ({"rng": 3}, "rng must be a numpy Generator"),
         ({"log": shorter(log, 0)}, "the log must hold at least one scan"),
     ):

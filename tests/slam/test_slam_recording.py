@@ -164,6 +164,34 @@ def test_run_file_brings_everything_back(run, tmp_path):
     assert (tmp_path / "drive.npz").stat().st_size < 500_000
 
 
+def test_run_says_what_kind_of_record_it_wants(run, tmp_path):
+    array = np.zeros((3, 3))
+    for call, sentence in (
+        (lambda: run.remap(array), "prior_map must be a GridMap, got ndarray"),
+        (lambda: run.ate_m(array), "log must be a RobotLog, got ndarray"),
+        (lambda: run.coverage(array), "truth must be a Truth, got ndarray"),
+        (lambda: save_run(array, tmp_path / "a.npz"), "run must be a Run, got ndarray"),
+    ):
+        with pytest.raises(ValueError, match=sentence):
+            call()
+    assert not list(tmp_path.iterdir())
+
+
+def test_ess_and_number_are_those_of_the_weighed_particles(slam_prior, drive_log):
+    fast_slam = FastSLAM(particle_limits=(50, 300), resampling_interval=2)
+    state = fast_slam.start(slam_prior, drive_log, np.random.default_rng(0))
+    sizes, numbers = [], []
+    for _ in range(6):
+        weighed = fast_slam.step(state).weighed
+        weights = [np.exp(value - max(weighed.log_weights)) for value in weighed.log_weights]
+        numbers.append(sum(weights) ** 2 / sum(weight**2 for weight in weights))  # Kish's effective size
+        sizes.append(len(weighed.poses))
+    run = fast_slam.finish(state)
+    assert run.n_particles.tolist() == sizes
+    np.testing.assert_allclose(run.ess, numbers, rtol=1e-9)
+    assert (run.ess <= run.n_particles).all() and run.ess.min() < run.n_particles.max()
+
+
 def test_run_file_overwrites_nothing_unasked(run, tmp_path):
     (tmp_path / "drive.npz").write_text("mine")
     with pytest.raises(FileExistsError, match="exists already"):
