@@ -273,7 +273,8 @@ def run_pipeline(
         return replace(result, stopped="no drive: the extracted walls leave the robot only one place to go to")
     try:
         with stage("drive", "FastSLAM through the building"):
-            return replace(result, drive=drive_with_prior(walls, world, tour, truth, rng_world, rng_filter))
+            drive_done = drive_with_prior(walls, world, tour, truth, rng_world, rng_filter, _fifths_of_drive(progress))
+            return replace(result, drive=drive_done)
     except BlockedTourError as blocked:  # walls that a plan's coarse cells did not show
         return replace(result, stopped=f"no drive: {blocked}")
 
@@ -281,6 +282,18 @@ def run_pipeline(
 def _steps_within(progress: Progress | None) -> Callable[[str, float], None] | None:
     """Tells the steps of a stage, a little further in; its end is the next stage's beginning."""
     return progress and (lambda step, share: progress(f"  {step}") if share < 1 else None)
+
+
+def _fifths_of_drive(progress: Progress | None) -> Callable[[int, int], None] | None:
+    """Tells how far a drive is, four times on the way."""
+    if progress is None:
+        return None
+
+    def tell(done: int, to_do: int) -> None:
+        if 5 * done // to_do > 5 * (done - 1) // to_do and done < to_do:
+            progress(f"  step {done} of {to_do}")
+
+    return tell
 
 
 def _check_scale(metres_per_pixel: float, drawing: Drawing) -> None:

@@ -69,7 +69,7 @@ def test_demo_goes_all_the_way(demo, numbers):
 
 def test_demo_shows_progress_and_the_numbers_that_matter(demo, numbers):
     printed = demo[2]
-    for words in ("corners, doors and walls", "posterior map", "Pareto", "FastSLAM through", "report"):
+    for words in ("corners, doors and walls", "posterior map", "Pareto", "FastSLAM through", r"  step \d+ of \d+", "report"):
         assert re.search(rf"\[ *[\d.]+ s\] .*{words}", printed), words
     assert f"{numbers['walls']['score']['precision']:.3f}, {numbers['walls']['score']['recall']:.3f}" in printed
     assert f"{numbers['mapping']['with_plan']['f2']:.3f}" in printed
