@@ -7,6 +7,12 @@ from priorlab.figures.chapter2 import FIGURE_2_9
 from priorlab.figures.chapter3 import TABLE_3_1
 from priorlab.figures.chapter3_drawings import DRAWING_FIGURES
 from priorlab.figures.chapter6 import FIGURE_6_6, FIGURE_6_8
+from priorlab.figures.chapter6_added import ADDED
+from priorlab.figures.chapter6_as_is import FIGURE_6_9
+from priorlab.figures.chapter6_floor import FIGURE_6_3, FIGURE_6_4, FIGURE_6_5, FIGURE_6_7
+from priorlab.figures.chapter6_models import FIGURE_6_1, FIGURE_6_2
+from priorlab.figures.chapter6_studies import FILTERS, UPDATES, WORLDS
+from priorlab.figures.chapter6_table import TABLE as TABLE_6_1
 from priorlab.figures.depth_camera import FIGURE_5_12, FIGURE_5_13
 from priorlab.figures.depth_camera_maps import FIGURE_5_14, FIGURE_5_18, FIGURE_5_21, OPTIMUM_5_3
 from priorlab.figures.depth_camera_zooms import FIGURE_5_15, FIGURE_5_16, FIGURE_5_17, FIGURE_5_19, FIGURE_5_20
@@ -17,6 +23,11 @@ from priorlab.figures.scaling import SCALING
 DEPTH_CAMERA = (
     *(FIGURE_5_12, FIGURE_5_13, FIGURE_5_14, FIGURE_5_15, FIGURE_5_16, FIGURE_5_17, FIGURE_5_18, FIGURE_5_19, FIGURE_5_20),
     *(FIGURE_5_21, OPTIMUM_5_3),
+)
+
+SIMULATED_FLOOR = (
+    *(FIGURE_6_1, FIGURE_6_2, FIGURE_6_3, FIGURE_6_4, FIGURE_6_5, FIGURE_6_6, FIGURE_6_7, FIGURE_6_8, FIGURE_6_9),
+    *(TABLE_6_1, ADDED, WORLDS, FILTERS, UPDATES),
 )
 
 NOT_COMPUTABLE = {"fig-5-11": "photographs of the arena and of the robot"}
@@ -30,8 +41,7 @@ FIGURES: dict[str, Entry] = {
         TABLE_3_1,
         *PRIOR_FIGURES,
         *DEPTH_CAMERA,
-        FIGURE_6_6,
-        FIGURE_6_8,
+        *SIMULATED_FLOOR,
         SCALING,
     )
 }

@@ -13,6 +13,7 @@ from __future__ import annotations
 import warnings
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -59,6 +60,9 @@ INCOMPLETE = 0.4
 """Share of the rooms that an incomplete exploration visits (fig. 6.7)."""
 
 NO_PLAN = "none"
+
+WITH, WITHOUT, COUNTING, ALONE = MAPS = ("with the plan", "without (0.5)", "counting", "the plan alone")
+"""The four maps of every comparison: of the same poses and scans the first three, the last of none."""
 
 ALPHAS = {0.002: TUNED.alphas, 0.02: (0.05, 0.05, 0.05, 0.05)}
 """What the filter takes the wheels for, by their noise; for any other it takes twice the noise."""
@@ -169,16 +173,16 @@ class FloorRun:
         """At P(empty) < 0.5: with the plan, without it, counting alone, and the plan untouched."""
         truth = self.floor.truth
         return {
-            "with": score_map(self.informed, truth, THRESHOLD),
-            "without": score_map(self.uninformed, truth, THRESHOLD),
-            "counting": self.counted.score(truth, THRESHOLD),
-            "prior alone": score_map(self.run.prior_map, truth, THRESHOLD),
+            WITH: score_map(self.informed, truth, THRESHOLD),
+            WITHOUT: score_map(self.uninformed, truth, THRESHOLD),
+            COUNTING: self.counted.score(truth, THRESHOLD),
+            ALONE: score_map(self.run.prior_map, truth, THRESHOLD),
         }
 
     @property
     def gain_percent(self) -> float | None:
         """Gain in F2 of the plan over no plan, percent; None of a lost robot, whose gain means nothing."""
-        return None if self.run.lost else gain_percent(self.scores["with"].f_beta, self.scores["without"].f_beta)
+        return None if self.run.lost else gain_percent(self.scores[WITH].f_beta, self.scores[WITHOUT].f_beta)
 
     @cached_property
     def coverage(self) -> float:
@@ -192,19 +196,19 @@ class FloorRun:
         """What each map shows of the changes that the robot saw."""
         changes = changes_between(self.floor.truth, self.floor.world, self.run.map.grid)
         maps: dict[str, ShowsWalls] = {
-            "with": self.informed,
-            "without": self.uninformed,
-            "counting": self.counted,
-            "prior alone": self.run.prior_map,
+            WITH: self.informed,
+            WITHOUT: self.uninformed,
+            COUNTING: self.counted,
+            ALONE: self.run.prior_map,
         }
         return what_was_added(changes, self.evidence.seen, maps, THRESHOLD)
 
     def f2_over_time(self, every: int = 1) -> OverTime:
         """F2 after every step, with the plan and without."""
-        priors = {"with": self.run.prior_map, "without": self.prior_map(Prior.uninformed())}
+        priors = {WITH: self.run.prior_map, WITHOUT: self.prior_map(Prior.uninformed())}
         return score_over_time(self.looks, priors, self.floor.truth, self.run.parameters.lam, THRESHOLD, every=every)
 
-    def as_numbers(self) -> dict[str, float | str | int | None]:
+    def as_numbers(self) -> dict[str, Any]:
         """Plain data, one flat row."""
         return {
             "seed": self.seed,
@@ -217,7 +221,7 @@ class FloorRun:
             "lost_because": self.run.lost_because,
             "mean_particles": float(self.run.n_particles.mean()),
             "coverage": self.coverage,
-            **{f"f2_{name.replace(' ', '_')}": score.f_beta for name, score in self.scores.items()},
+            **{f"f2, {name}": score.f_beta for name, score in self.scores.items()},
             "gain_percent": self.gain_percent,
         }
 
@@ -259,7 +263,9 @@ def furnished(clutter: float | None, tour_share: float, seed: int) -> FloorPlan:
     if clutter is None:
         return load_floor_plan(BUILDING, tour_share=tour_share)
     description = read_description(data_folder() / f"{BUILDING}.toml")
-    return build_floor_plan(with_loose_furniture(description, clutter, _generators(seed)[0]), tour_share=tour_share)
+    return build_floor_plan(
+        with_loose_furniture(description, clutter, _generators(seed)[0]), tour_share=tour_share, name=BUILDING
+    )
 
 
 @lru_cache(maxsize=6)

@@ -12,7 +12,18 @@ from priorlab.slam.counting import counted_map
 from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.parameters import TUNED
 from priorlab.study.confidence import T_95, Confidence
-from priorlab.study.office_floor import FLOOR_PRIOR, FloorCondition, FloorRun, drive_floor, plan_as_prior, run_floor
+from priorlab.study.office_floor import (
+    ALONE,
+    COUNTING,
+    FLOOR_PRIOR,
+    WITH,
+    WITHOUT,
+    FloorCondition,
+    FloorRun,
+    drive_floor,
+    plan_as_prior,
+    run_floor,
+)
 
 FEW = replace(TUNED, particle_limits=(200, 200))
 ONE_ROOM = FloorCondition(clutter=None, tour_share=0.06, parameters=FEW)
@@ -31,12 +42,12 @@ def test_run_floor_is_fastslam_on_its_log(row):
 
 def test_scores_are_those_of_maps_made_one_scan_after_another(row):
     truth, uninformed = row.floor.truth, plan_as_prior("extracted", Prior.uninformed())
-    assert row.scores["with"] == score_map(row.run.map, truth, 0.5)
-    assert row.scores["without"] == score_map(row.run.remap(uninformed), truth, 0.5)
-    assert row.scores["counting"].f_beta == counted_map(row.run).score(truth).f_beta
-    assert row.scores["prior alone"] == score_map(row.run.prior_map, truth, 0.5)
+    assert row.scores[WITH] == score_map(row.run.map, truth, 0.5)
+    assert row.scores[WITHOUT] == score_map(row.run.remap(uninformed), truth, 0.5)
+    assert row.scores[COUNTING].f_beta == counted_map(row.run).score(truth).f_beta
+    assert row.scores[ALONE] == score_map(row.run.prior_map, truth, 0.5)
     assert row.coverage == pytest.approx(row.run.coverage(truth))
-    assert row.gain_percent == pytest.approx(100 * (row.scores["with"].f_beta / row.scores["without"].f_beta - 1))
+    assert row.gain_percent == pytest.approx(100 * (row.scores[WITH].f_beta / row.scores[WITHOUT].f_beta - 1))
 
 
 @pytest.mark.parametrize("lam", [0.0, 1.0])
@@ -51,9 +62,9 @@ def test_mapped_is_the_map_that_a_filter_of_these_values_makes(row, lam, thicken
 
 def test_f2_over_time_starts_with_the_plan_and_ends_with_the_scores(row):
     curves = row.f2_over_time()
-    assert curves.f_beta["with"][0] == pytest.approx(row.scores["prior alone"].f_beta)
-    assert curves.f_beta["with"][-1] == pytest.approx(row.scores["with"].f_beta)
-    assert curves.f_beta["without"][-1] == pytest.approx(row.scores["without"].f_beta)
+    assert curves.f_beta[WITH][0] == pytest.approx(row.scores[ALONE].f_beta)
+    assert curves.f_beta[WITH][-1] == pytest.approx(row.scores[WITH].f_beta)
+    assert curves.f_beta[WITHOUT][-1] == pytest.approx(row.scores[WITHOUT].f_beta)
 
 
 def test_a_lost_run_has_no_gain(row):
