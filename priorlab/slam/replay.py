@@ -1,7 +1,7 @@
 """The map after any step of a drive, without a map per step: what blocks of steps changed is kept, and pasted in a row.
 
-A milometer tells 1,234 by four wheels. In the same way the map after 1,234 steps is the first map, then what two blocks of 512
-steps changed, three of 64, two of 8, and at last two single steps, drawn again. Only cells that were seen are kept, with the
+A milometer tells 1,234 by four wheels. In the same way the map after 1,234 steps is the first map, then what one block of 1,024
+steps changed, three of 64, one of 16, and at last two single steps, drawn again. Only cells that were seen are kept, with the
 values that they had at the end of the block, so a map comes back to the last bit.
 """
 
@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from priorlab.slam.map_update import UNSEEN, SeenCells
 
-STEPS_PER_BLOCK = 8
-"""Steps in the smallest block, and blocks in the next larger one: at most seven of a kind have to be pasted or drawn."""
+STEPS_PER_BLOCK = 4
+"""Steps in the smallest block, and blocks in the next larger one: at most three of a kind have to be pasted or drawn."""
 
 Draw = Callable[[NDArray[np.float64], int], SeenCells]
 """Puts the scan of a step into a map, and says what was seen."""
@@ -50,7 +50,7 @@ class Replay:
                 together = np.unique(np.concatenate(cells))
                 smallest.append((together, log_odds_map.reshape(-1)[together]))
                 cells = []
-        self._changes = [smallest]  # by size of the blocks: 8 steps, 64, 512, ...
+        self._changes = [smallest]  # by size of the blocks: 4 steps, 16, 64, ...
         while len(self._changes[-1]) >= STEPS_PER_BLOCK:
             self._changes.append(_joined(self._changes[-1], log_odds_map.reshape(-1)))  # a map that nobody needs any more
 
@@ -82,7 +82,7 @@ def _cells_of(seen: SeenCells, width: int) -> NDArray[np.int32]:
 
 
 def _joined(changes: list[Change], scratch: NDArray[np.float64]) -> list[Change]:
-    """Blocks eight times as long: a cell keeps the value that it had last."""
+    """Blocks four times as long: a cell keeps the value that it had last."""
     joined = []
     for first in range(0, len(changes) - STEPS_PER_BLOCK + 1, STEPS_PER_BLOCK):
         group = changes[first : first + STEPS_PER_BLOCK]

@@ -40,7 +40,7 @@ def test_at_replays_the_run_to_the_last_bit(run):
     assert np.array_equal(run.at(len(run) - 1).log_odds, run.map.log_odds)
 
 
-@pytest.mark.parametrize("step", [0, 1, 6, 7, 8, 62, 63, 64, 99, 137, 269])
+@pytest.mark.parametrize("step", [0, 2, 3, 4, 14, 15, 16, 63, 137, 255, 269])
 def test_at_equals_the_closed_form_of_the_first_steps(run, slam_prior, step):
     assert np.allclose(run.at(step).log_odds, counted_map(run, slam_prior, step + 1), atol=1e-9)
 
@@ -56,7 +56,7 @@ def test_at_equals_the_map_of_a_shorter_drive_to_the_last_bit(run, slam_prior):
 
 def test_at_keeps_little(run):
     run.at(0)
-    assert run.replay.nbytes < 10 * run.map.log_odds.nbytes  # a map per step would be 270
+    assert run.replay.nbytes < 12 * run.map.log_odds.nbytes  # a map per step would be 270
 
 
 def test_first_seen_and_coverage_agree_with_a_slow_count(run, floor, slam_prior):
