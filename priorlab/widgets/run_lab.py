@@ -41,6 +41,9 @@ CURVE_EVERY = 5
 MARGIN_M = 0.5
 """Paper that is left round the building."""
 
+NARROW = "display:inline-block;max-width:17em;white-space:normal"
+"""A sentence in the readout."""
+
 ZOOM, HALF_M = 3, 2.7
 """The window round the robot: screen pixels per cell, and half its side."""
 
@@ -195,19 +198,20 @@ class RunLab(Lab):
         """The readout."""
         run, n, ess = recorded.run, int(recorded.run.n_particles[k]), float(recorded.run.ess[k])
         share = run.explained[k]
-        told = "fewer than 10 beams" if np.isnan(share) else f"{100 * share:.0f} % of the beams"
-        gain = "LOST: a gain means nothing" if run.lost else f"{self.gain_percent:+.0f} %"
+        told = "fewer than 10 beams" if np.isnan(share) else f"{100 * share:.0f} %"
+        gain = "LOST: means nothing" if run.lost else f"{self.gain_percent:+.0f} %"
+        whole = f"<span style='{NARROW}'>LOST: {run.lost_because}</span>" if run.lost else "never lost"
         return [
             ("step", f"{k + 1} of {len(run)}"),
-            ("particles N", f"{n}, effective number ESS {ess:.0f} ({100 * ess / n:.0f} %)"),
+            ("particles N", f"{n}, ESS {ess:.0f} ({100 * ess / n:.0f} %)"),
             ("off the truth now", f"{100 * recorded.errors_m[k]:.0f} cm, ATE so far <b>{100 * self.ate_m:.0f} cm</b>"),
-            ("explained by the plan's walls", told),
+            ("beams explained by the plan", told),
             ("F2 with the plan", f"<b>{self.f2[WITH]:.3f}</b>"),
             ("F2 without, same poses", f"{self.f2[WITHOUT]:.3f}"),
             ("F2, the plan alone", f"{self.alone:.3f}"),
             ("gain of the plan", gain),
             ("cells seen", f"{100 * self.evidence.seen.mean():.0f} %"),
-            ("the whole run", f"LOST: {run.lost_because}" if run.lost else "never lost"),
+            ("the whole run", whole),
             ("colours", "blue: estimate, light blue: particles,<br>green: truth, orange: beams"),
         ]
 
@@ -216,7 +220,7 @@ class RunLab(Lab):
         recorded = self._recorded[name]
         end, curves = len(recorded.run), recorded.curves
         ticks = [round(end * share) for share in (0, 0.25, 0.5, 0.75, 1)]
-        plane = Plane((0, end), (0, 1), ("step", "F2"), "F2 over time (fig. 6.6 E)", (380, 330), x_ticks=ticks)
+        plane = Plane((0, end), (0, 1), ("step", "F2"), "F2 over time (fig. 6.6 E)", (340, 326), x_ticks=ticks)
         plane.line([0, end], [self.alone, self.alone], f"stroke='{BLACK}' stroke-width='1.5' stroke-dasharray='1 3'")
         plane.line(curves.steps, curves.f_beta[WITH], f"stroke='{BLUE}' stroke-width='2'")
         plane.line(curves.steps, curves.f_beta[WITHOUT], f"stroke='{RED}' stroke-width='2' stroke-dasharray='6 4'")
