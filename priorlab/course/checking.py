@@ -16,7 +16,18 @@ from dataclasses import dataclass
 from typing import Any
 
 from priorlab.core.shipped import nearest_name
-from priorlab.course import answers_00, answers_01, answers_02, answers_03, answers_04, answers_05, answers_06, answers_07
+from priorlab.course import (
+    answers_00,
+    answers_01,
+    answers_02,
+    answers_03,
+    answers_04,
+    answers_05,
+    answers_06,
+    answers_07,
+    answers_08,
+    answers_09,
+)
 from priorlab.course.exercise import Exercise
 
 _tries: Counter[str] = Counter()  # wrong tries so far in this session: decides which hint comes next, nothing else
@@ -35,7 +46,8 @@ class Verdict:
 
 def exercises(seed: int = 0) -> dict[str, Exercise]:
     """Every exercise of the course by its name: the notebook's number, a dot, a word. A seed changes the numbers."""
-    notebooks = (answers_00, answers_01, answers_02, answers_03, answers_04, answers_05, answers_06, answers_07)
+    first = (answers_00, answers_01, answers_02, answers_03, answers_04)
+    notebooks = (*first, answers_05, answers_06, answers_07, answers_08, answers_09)
     return {name: exercise for notebook in notebooks for name, exercise in notebook.exercises(seed).items()}
 
 
