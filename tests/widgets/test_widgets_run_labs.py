@@ -66,7 +66,7 @@ def test_run_lab_numbers_are_those_of_the_run_at_that_step(lab, run, rooms, step
     assert lab.alone == pl.score_map(run.prior_map, truth, 0.5).f_beta
     off = (run.trajectory - run.log.truth)[:step, :2]
     assert lab.ate_m == pytest.approx(np.sqrt((off**2).sum(axis=1).mean()))
-    assert f"{step} of {len(run)}" in lab.readout.value and f"{run.n_particles[step - 1]}, effective" in lab.readout.value
+    assert f"{step} of {len(run)}" in lab.readout.value and f"{run.n_particles[step - 1]}, ESS" in lab.readout.value
 
 
 def test_run_lab_scrubs_back_to_what_it_was(lab):
@@ -133,7 +133,7 @@ def test_run_lab_map_without_the_plan_is_grey_where_nobody_looked(lab):
 def test_run_lab_says_that_a_robot_is_lost_and_no_gain(run, rooms):
     far = replace(run, trajectory=run.trajectory + [2.0, 0.0, 0.0])
     lab = RunLab({"lost": far}, rooms[1])
-    assert "LOST, ATE 2.0 m" in repr(lab) and "a gain means nothing" in lab.readout.value
+    assert "LOST, ATE 2.0 m" in repr(lab) and "LOST: means nothing" in lab.readout.value
     assert not re.search(r"[+-]\d+ %", lab.readout.value)
 
 
