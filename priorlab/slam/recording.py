@@ -85,7 +85,7 @@ class Run:
     @cached_property
     def replay(self) -> Replay:
         """The drive again: maps at any step, and when a cell was seen first."""
-        return Replay(self.prior_map.log_odds, lambda log_odds_map, k: self._draw(log_odds_map, k, self.prior_map), len(self))
+        return Replay(self.prior_map.log_odds, self._draw, len(self))
 
     def coverage(self, truth: Truth, step: int = -1) -> float:
         """Share of the truth's wall pixels whose cell some scan has said something about, up to a step; don't-care left out."""
@@ -105,8 +105,9 @@ class Run:
             raise ValueError(f"step must lie between 0 and {len(self) - 1}, got {step}")
         return from_front
 
-    def _draw(self, log_odds_map: NDArray[np.float64], k: int, prior_map: GridMap) -> SeenCells:
+    def _draw(self, log_odds_map: NDArray[np.float64], k: int, prior_map: GridMap | None = None) -> SeenCells:
         """Put the scan of a step into a map, from the pose that was estimated (algorithm 6.5)."""
+        prior_map = prior_map or self.prior_map
         seen = see_cells(prior_map.grid, self.trajectory[k], choose_beams(self.log, k, self.parameters), self.parameters)
         update_seen(log_odds_map, prior_map.log_odds, seen, self.parameters)
         return seen

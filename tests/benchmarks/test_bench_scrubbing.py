@@ -52,7 +52,7 @@ def test_bench_scrubbing(run):
     def from_the_start(step: int) -> np.ndarray:
         log_odds_map = run.prior_map.log_odds.copy()
         for k in range(step + 1):
-            run._draw(log_odds_map, k, run.prior_map)
+            run._draw(log_odds_map, k)
         return log_odds_map
 
     rows = {

@@ -1,5 +1,6 @@
 """A run's record: maps replayed at any step, another prior fed by the same poses, the npz file."""
 
+import pickle
 from dataclasses import replace
 from types import SimpleNamespace
 
@@ -52,6 +53,11 @@ def test_at_equals_the_map_of_a_shorter_drive_to_the_last_bit(run, slam_prior):
         update_seen(log_odds_map, slam_prior.log_odds, see_cells(slam_prior.grid, run.trajectory[k], scan, run.parameters))
         if k % 13 == 0 or k in (7, 63, 127, 255):
             assert np.array_equal(run.at(k).log_odds, log_odds_map)
+
+
+def test_a_run_that_was_scrubbed_can_be_sent_to_another_process(run):
+    expected = run.at(100).log_odds
+    assert np.array_equal(pickle.loads(pickle.dumps(run)).at(100).log_odds, expected)
 
 
 def test_at_keeps_little(run):
