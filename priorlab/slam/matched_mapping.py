@@ -18,6 +18,7 @@ from priorlab.core.checks import check_positive
 from priorlab.core.grid_map import GridMap
 from priorlab.core.pose import compose, relative
 from priorlab.core.readings import RobotLog
+from priorlab.slam.connected_scan import connect_beams
 from priorlab.slam.growing_map import GrowingMap
 from priorlab.slam.parameters import Parameters
 from priorlab.slam.scan import choose_beams
@@ -137,14 +138,14 @@ def map_by_matching(
     steps = relative(log.odometry[:-1], log.odometry[1:])
     poses, inserted_at = [log.start], log.start
     explained, trusted = [math.nan], [True]
-    growing.insert(log.start, choose_beams(log, 0, all_beams))
+    growing.insert(log.start, connect_beams(choose_beams(log, 0, all_beams), cell_m))
     for k in range(1, len(log)):
         guess = growing.into(compose(poses[-1], steps[k - 1]))
         match = match_scan(choose_beams(log, k, parameters), growing.field, guess, slip.window(steps[k - 1]))
         pose = match.pose + [*growing.low, 0.0]
         moved = relative(inserted_at, pose)
         if math.hypot(moved[0], moved[1]) >= insert_after_m or abs(moved[2]) >= insert_after_turn:
-            growing.insert(pose, choose_beams(log, k, all_beams))
+            growing.insert(pose, connect_beams(choose_beams(log, k, all_beams), cell_m))
             inserted_at = pose
         poses.append(pose)
         explained.append(match.explained)
