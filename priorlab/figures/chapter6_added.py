@@ -28,7 +28,7 @@ def _added(rng: np.random.Generator) -> Outcome:
         "opened: cells of walled-up doorways": lambda added, name: added.opened.share[name],
         "doorways that a planner could take": lambda added, name: added.passable[name] / len(added.doorways),
     }
-    shares = {part: {name: Confidence.of(of(run.added, name) for run in runs) for name in MAPS} for part, of in parts.items()}
+    shares = {part: {name: _over_seeds([of(run.added, name) for run in runs]) for name in MAPS} for part, of in parts.items()}
     figure, axes = sheet(2, 3, 4.6, 3.4)
     first = runs[0]
     changes = changes_between(first.floor.truth, first.floor.world, first.run.map.grid)
@@ -70,6 +70,11 @@ def _added(rng: np.random.Generator) -> Outcome:
         ),
         "A doorway in the plan, where it is a wall, and in two maps; bars of how much of the changes four maps show.",
     )
+
+
+def _over_seeds(shares: Sequence[float]) -> Confidence:
+    """Over the seeds whose robot saw any of it."""
+    return Confidence.of(share for share in shares if np.isfinite(share))
 
 
 def _seen(runs: Sequence[FloorRun], kind: str) -> Confidence:

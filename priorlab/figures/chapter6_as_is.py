@@ -80,10 +80,10 @@ def _told(runs: Mapping[tuple[str, str], Sequence[FloorRun]], place: str, worse:
 
 
 def _runs(plan: str, where: Literal["static", "updated"]) -> Sequence[FloorRun]:
-    """All seeds; the extracted walls as the static plan are the runs of the other figures."""
+    """All seeds; those with extracted walls are the runs of other figures."""
     parameters = replace(COMPLETE.parameters, localize_in=where)
     condition: FloorCondition = replace(COMPLETE, plan=plan, parameters=parameters)
-    return runs_of(COMPLETE) if condition == COMPLETE else run_seeds(condition)
+    return runs_of(condition) if plan == COMPLETE.plan else run_seeds(condition)
 
 
 def _errors(runs: Sequence[FloorRun], percent: np.ndarray) -> np.ndarray:

@@ -64,7 +64,7 @@ def _filters(rng: np.random.Generator) -> Outcome:
     """Where to localize, and with what values; and without any plan."""
     groups: dict[str, Sequence[FloorRun]] = {
         "localized in the plan": runs_of(COMPLETE),
-        "in the map as it grows": run_seeds(_with(localize_in="updated")),
+        "in the map as it grows": runs_of(_with(localize_in="updated")),
         "no plan at all": run_seeds(replace(COMPLETE, plan=NO_PLAN)),
         "Table 6.1 as printed": run_seeds(replace(COMPLETE, parameters=TABLE_6_1)),
     }

@@ -26,8 +26,7 @@ MAP_ONLY = ("thickening_m",)
 
 def _table(rng: np.random.Generator) -> Outcome:
     """Both presets, and every value that differs put into the other one."""
-    changed = [field.name for field in fields(Parameters) if getattr(TABLE_6_1, field.name) != getattr(TUNED, field.name)]
-    changed = [name for name in changed if name not in MAP_ONLY]
+    changed = changed_values()
     printed, tuned = _runs(TABLE_6_1), _runs(TUNED)
     as_std = _runs(replace(TABLE_6_1, noise="std"))
     mended = {name: _runs(replace(TABLE_6_1, **{name: getattr(TUNED, name)})) for name in changed}
@@ -66,6 +65,12 @@ def _table(rng: np.random.Generator) -> Outcome:
         f"{', '.join(healing) or 'none of them'}",
         "The ways of one robot with the printed and with the tuned values on the plan; a table of errors with one value changed.",
     )
+
+
+def changed_values() -> list[str]:
+    """Names of the values that localization feels and that the two presets differ in."""
+    names = [field.name for field in fields(Parameters) if getattr(TABLE_6_1, field.name) != getattr(TUNED, field.name)]
+    return [name for name in names if name not in MAP_ONLY]
 
 
 def _runs(parameters: Parameters) -> Sequence[FloorRun]:

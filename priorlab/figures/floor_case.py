@@ -28,7 +28,7 @@ AT = "P(empty) < 0.5, walls 0.10 m thick"
 NUMBERS = ("ate_m", "rpe_m", "rpe_deg", "heading_error_deg", "dead_reckoning_m", "mean_particles", "coverage")
 
 
-@lru_cache(maxsize=2)
+@lru_cache(maxsize=3)
 def runs_of(condition: FloorCondition) -> tuple[FloorRun, ...]:
     """A run for each of the five seeds; figures that follow one another share them."""
     return tuple(run_seeds(condition))

@@ -126,9 +126,9 @@ class FloorRun:
 
     # --- maps ----------------------------------------------------------------------------------------------------
 
-    @cached_property
+    @property
     def looks(self) -> EvidenceOverTime:
-        """What every scan said about every cell."""
+        """What every scan said about every cell; a third of a second and a million looks, so it is not kept."""
         return evidence_of_run(self.run)
 
     @cached_property
