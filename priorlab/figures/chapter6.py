@@ -148,7 +148,8 @@ def _told(runs: Sequence[FloorRun]) -> str:
     """The four maps, error and gain in a sentence."""
     f2 = {name: f2_of(runs, name).mean for name in MAPS}
     return (
-        f"F2 {f2_of(runs, WITH).told()} with the plan, {f2_of(runs, WITHOUT).told()} without, {f2[COUNTING]:.2f} by counting, "
+        f"F2 {f2_of(runs, WITH).told()} with the plan, {f2_of(runs, WITHOUT).told()} without, {f2[COUNTING]:.2f} by counting "
+        "(at 0.5 the same by arithmetic), "
         f"{f2[ALONE]:.2f} the plan alone; {gain_told(runs)}; ATE {ate_of(runs).told()} m, {n_lost(runs)} lost, "
         f"{100 * Confidence.of(run.coverage for run in runs).mean:.0f} % of the wall pixels seen"
     )

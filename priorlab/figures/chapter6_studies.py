@@ -14,6 +14,7 @@ from priorlab.core.score import score_map
 from priorlab.figures.figure import Entry, Outcome, sheet, verdict_of
 from priorlab.figures.floor_case import AT, COMPLETE, UNFINISHED, ate_of, f2_of, gain_of, n_lost, runs_of, summary_of
 from priorlab.mapping.overruled import overruled_readings
+from priorlab.slam.counting import GMAPPING_THRESHOLD
 from priorlab.slam.parameters import TABLE_6_1, TUNED
 from priorlab.study.confidence import Confidence
 from priorlab.study.office_floor import (
@@ -151,6 +152,7 @@ def _updates(rng: np.random.Generator) -> Outcome:
     figure, axes = sheet(1, 1, 14.0, 0.42 * len(rows) + 0.9)
     title = "F2 of other maps of the same five drives, at P(empty) < 0.5 and at 0.2: prior, weight of the prior, depth of walls"
     plot.number_table(rows, columns, axes[0], title, [0.28, 0.13, 0.13, 0.13, 0.13, 0.11, 0.09])
+    gmapping = Confidence.of(run.counted.score(run.floor.truth, GMAPPING_THRESHOLD).f_beta for run in runs)
     usual, sure = (numbers[f"prior {name}, lam 1, 0.10 m"]["with"]["mean"] for name in priors)
     holds = {
         "a prior surer than the sensor is worse (lam 1)": sure < usual,
@@ -165,6 +167,8 @@ def _updates(rng: np.random.Generator) -> Outcome:
             "lost": n_lost(runs),
             "ate_m": ate_of(runs).as_numbers(),
             "f2_plan_alone": f2_of(runs, ALONE).as_numbers(),
+            "f2_counting": f2_of(runs, COUNTING).as_numbers(),
+            "f2_counting_as_gmapping_draws_it": gmapping.as_numbers(),
             "holds": holds,
         },
         verdict_of(list(holds.values())),
@@ -172,7 +176,8 @@ def _updates(rng: np.random.Generator) -> Outcome:
         + "; ".join(
             f"{name}: F2 {row['with']['mean']:.2f}, gain {row['gain_percent']['mean']:+.0f} %" for name, row in numbers.items()
         )
-        + f"; the plan alone {f2_of(runs, ALONE).mean:.2f}",
+        + f"; the plan alone {f2_of(runs, ALONE).mean:.2f}; counting {f2_of(runs, COUNTING).mean:.2f}, with gmapping's threshold "
+        f"of a quarter {gmapping.mean:.2f}",
         "A table of F2 for priors, weights of the prior and depths of walls at two thresholds.",
     )
 
