@@ -39,6 +39,7 @@ EVERY = 50
 """Steps between two records: what a crash may cost at most."""
 
 _FORMAT = "priorlab checkpoint 1"
+_REDRAWN = ("updated", "static")
 _GENERATORS = ("PCG64", "PCG64DXSM", "MT19937", "Philox", "SFC64")
 
 Progress = Callable[[int, int], None]
@@ -73,6 +74,9 @@ def run_with_checkpoints(
     for name, value, kind in (("fast_slam", fast_slam, FastSLAM), ("prior_map", prior_map, GridMap), ("log", log, RobotLog)):
         check_record(name, value, kind)
     every = check_whole("every", every)
+    mode = fast_slam.parameters.localize_in
+    if mode not in _REDRAWN:
+        raise ValueError(f"localize_in must be {' or '.join(_REDRAWN)} for a drive that can be gone on with, got {mode}")
     generator = type(check_rng(rng).bit_generator).__name__
     if generator not in _GENERATORS:
         raise ValueError(f"rng must draw from one of {', '.join(_GENERATORS)} to be gone on with, got {generator}")
