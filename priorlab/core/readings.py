@@ -180,12 +180,18 @@ class RobotLog:
         truth = None if self.truth is None else check_poses("truth", self.truth)
         if truth is not None and len(truth) != len(odometry):
             raise ValueError(f"truth must hold {len(odometry)} poses, one per odometry pose, got {len(truth)}")
+        if not np.isfinite(bearings).all():
+            raise ValueError(f"bearings must be finite angles, got {bearings[~np.isfinite(bearings)][0]:g}")
+        stamps = None if self.stamps is None else np.asarray(self.stamps, dtype=np.float64)
+        if stamps is not None and (stamps.shape != (len(odometry),) or not np.isfinite(stamps).all()):
+            raise ValueError(f"stamps must be {len(odometry)} finite numbers, one per odometry pose, got shape {stamps.shape}")
         for name, value in (
             ("odometry", odometry),
             ("ranges", ranges),
             ("bearings", bearings),
             ("start", start),
             ("truth", truth),
+            ("stamps", stamps),
         ):
             object.__setattr__(self, name, value)
 

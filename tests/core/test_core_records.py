@@ -61,6 +61,9 @@ def make_readings(ranges, poses=POSES):
         (lambda: RobotLog(**{**LOG, "ranges": np.ones((2, 4))}), r"ranges must have shape \(2, 3\), got \(2, 4\)"),
         (lambda: RobotLog(**{**LOG, "ranges": -np.ones((2, 3))}), "ranges must not be negative, got -1 m"),
         (lambda: RobotLog(**LOG, truth=POSES[:1]), "truth must hold 2 poses, one per odometry pose, got 1"),
+        (lambda: RobotLog(**{**LOG, "bearings": [0, np.nan, 1]}), "bearings must be finite angles, got nan"),
+        (lambda: RobotLog(**LOG, stamps=[1.0]), r"stamps must be 2 finite numbers, one per odometry pose, got shape \(1,\)"),
+        (lambda: RobotLog(**LOG, stamps=[1.0, np.nan]), "stamps must be 2 finite numbers"),
         (lambda: encode_png(np.zeros((3, 3))), "image must be a non-empty uint8 picture, got float64"),
     ],
 )
