@@ -28,7 +28,10 @@ from priorlab.widgets.sliders import Slider
 STEP_M = 0.05
 THICKEST_M = 0.20
 WIDTH = 860
-"""Of a map on the screen, CSS pixels."""
+"""A map on the screen has at most so many columns: every second pixel of a larger plan is shown."""
+
+MARGIN_PX = 20
+"""Paper that is left above and below the building."""
 
 PRESETS: dict[str, dict[str, float]] = {
     "Table 6.1's prior": {"p_wall": 0.3, "p_space": 0.8, "lam": 1, "thickening_m": 0.1, "threshold": 0.5},
@@ -61,7 +64,9 @@ class PairLab(Lab):
         self.thickening_m = Slider("thickening, m", 0.1, 0, THICKEST_M, STEP_M, "how far behind a hit the wall is drawn")
         self.threshold = Slider("threshold", 0.5, 0.05, 0.5, 0.05, "at or below this P(empty) a cell counts as wall")
         names = ("p_wall", "p_space", "lam", "thickening_m", "threshold")
-        pictures = [Picture(width=WIDTH), Picture(width=WIDTH)]
+        self._pixels, self._small = _shown_pixels(truth)
+        self._drawn: tuple[float, float] | None = None  # thickening and threshold of the picture without a plan
+        pictures = [Picture(), Picture()]
         super().__init__({name: getattr(self, name) for name in names}, PRESETS, pictures)
 
     def refresh(self) -> None:
@@ -76,11 +81,12 @@ class PairLab(Lab):
         maps = {"with": self.map, "without": self.without, "alone": start}
         self.added = what_was_added(self._changes, self.evidence.seen, maps, threshold)
 
-        for picture, one, name, score in (
-            (self.pictures[0], self.map, "With the plan", self.worth.informed),
-            (self.pictures[1], self.without, "Without a plan, same poses and scans", self.worth.uninformed),
-        ):
-            picture.show(self._counted(one, threshold), f"{name}. {LEGEND}. F2 {score.f_beta:.3f}. {self.summary()}")
+        words = f"With the plan. {LEGEND}. F2 {self.worth.informed.f_beta:.3f}. {self.summary()}"
+        self.pictures[0].show(self._counted(self.map, threshold), words)
+        if self._drawn != (here := (self.thickening_m.value, threshold)):  # no other slider changes it
+            words = f"Without a plan, same poses and scans. {LEGEND}. F2 {self.worth.uninformed.f_beta:.3f}"
+            self.pictures[1].show(self._counted(self.without, threshold), words)
+            self._drawn = here
         sign = "&lt;" if threshold == 0.5 else "&le;"  # a cell at 0.5 knows nothing
         self.readout.value = table(self._numbers(), caption=f"detected as wall: P(empty) {sign} {threshold:g}")
 
@@ -94,10 +100,10 @@ class PairLab(Lab):
         )
 
     def _counted(self, grid_map: GridMap, threshold: float) -> NDArray[np.uint8]:
-        """A map as the score counts it, without the paper round it."""
-        rows, _ = np.nonzero(self._truth.walls)
-        inside = slice(max(0, int(rows.min()) - 20), int(rows.max()) + 20)
-        return scored_image(grid_map.grid.to_image(grid_map.detected(threshold)), self._truth)[inside]
+        """A map as the score counts it."""
+        rows, cols = self._pixels
+        cells = np.ix_(self._grid.row_of_pixel[rows], self._grid.col_of_pixel[cols])
+        return scored_image(grid_map.detected(threshold)[cells], self._small)
 
     def _numbers(self) -> list[tuple[str, str]]:
         """The readout: never a gain without the way's error, what was seen, and the plan alone."""
@@ -119,6 +125,16 @@ class PairLab(Lab):
             ("eq. 2.22", broken.replace("; ", ";<br>").replace(": each", ":<br>each") if broken else "holds"),
             ("colours", LEGEND.replace(", light", ",<br>light", 1)),
         ]
+
+
+def _shown_pixels(truth: Truth) -> tuple[tuple[NDArray[np.int64], NDArray[np.int64]], Truth]:
+    """Rows and columns of the pixels that are shown, and the truth there."""
+    height, width = truth.shape
+    every = max(1, width // WIDTH)
+    walls = np.flatnonzero(truth.walls.any(axis=1))
+    rows = np.arange(max(0, int(walls[0]) - MARGIN_PX), min(height, int(walls[-1]) + MARGIN_PX), every)
+    cols = np.arange(0, width, every)
+    return (rows, cols), Truth(truth.walls[np.ix_(rows, cols)], truth.ignore[np.ix_(rows, cols)])
 
 
 def _evidence_of(run: Run, thickening_m: float) -> Evidence:
