@@ -105,6 +105,9 @@ def _parser() -> argparse.ArgumentParser:
         help="pose at the first scan in the map's frame, metres; of a drawing, from its lower left corner",
     )
     localize.add_argument(
+        "--start-error", nargs=2, type=float, default=(0.0, 0.0), metavar=("M", "DEGREES"), help="how far it may be off (0 0)"
+    )
+    localize.add_argument(
         "--max-range", type=float, metavar="M", help="beams from here on do not count (the laser's, at most 20)"
     )
     localize.add_argument("--wheel-noise", type=float, metavar="A", help="all four alphas of algorithm 6.3 (default 0.01)")
@@ -207,8 +210,8 @@ def _localize(arguments: argparse.Namespace) -> int:
     tell("the log and the map")
     x, y, degrees = arguments.start
     noise = WHEEL_NOISE if arguments.wheel_noise is None else arguments.wheel_noise
-    start = (x, y, math.radians(degrees))
-    own = read_own_log(arguments.log, arguments.map, start, arguments.metres_per_pixel, arguments.max_range, noise)
+    start, off = (x, y, math.radians(degrees)), (arguments.start_error[0], math.radians(arguments.start_error[1]))
+    own = read_own_log(arguments.log, arguments.map, start, arguments.metres_per_pixel, arguments.max_range, noise, off)
     out = Path(arguments.out)
     out.absolute().parent.mkdir(parents=True, exist_ok=True)
     part = out.with_name(f"{out.name}.part")

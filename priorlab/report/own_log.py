@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_poses, check_positive
+from priorlab.core.checks import check_number, check_poses, check_positive
 from priorlab.core.drawing import Walls
 from priorlab.core.files import new_folder
 from priorlab.core.grid_map import GridMap
@@ -68,6 +68,7 @@ def read_own_log(
     metres_per_pixel: float | None = None,
     max_range_m: float | None = None,
     wheel_noise: float = WHEEL_NOISE,
+    start_error: tuple[float, float] = (0.0, 0.0),
 ) -> OwnLog:
     """Read a CARMEN log and the map it was driven in.
 
@@ -80,6 +81,7 @@ def read_own_log(
     metres_per_pixel : scale of a drawing
     max_range_m : beams from here on do not count; by default the laser's range, at most 20 m
     wheel_noise : alpha_1 to alpha_4 of algorithm 6.3, variances per squared metre or radian
+    start_error : how far the start may be off, standard deviations: of x and y (metres) and of theta (radians)
 
     Poses that a mapper has corrected lie in a frame of their own. Laid on the start, they tell how well the robot kept track, but
     not whether the start was right: so they are not taken for the truth when it is asked whether the robot got lost.
@@ -89,12 +91,15 @@ def read_own_log(
     here = relative(np.asarray(origin), check_poses("start", [start])[0])
     _check_on_map(prior_map, here, start, origin)
     corrected = None if log.truth is None else compose(here, relative(log.truth[0], log.truth))
+    off_m, off_turn = (check_number("start_error", value) for value in start_error)
+    if min(off_m, off_turn) < 0:
+        raise ValueError(f"start_error must not be negative, got {off_m:g} m, {off_turn:g} radians")
     farthest = min(log.scanner.max_range_m, LONGEST_M) if max_range_m is None else check_positive("max_range_m", max_range_m)
     return OwnLog(
         prior_map,
         replace(log, start=here, truth=None),
         None if corrected is None else replace(log, start=here, truth=corrected),
-        replace(TUNED, max_range_m=farthest, alphas=(wheel_noise,) * 4),
+        replace(TUNED, max_range_m=farthest, alphas=(wheel_noise,) * 4, start_variances=(off_m**2, off_m**2, off_turn**2)),
         origin,
     )
 

@@ -19,7 +19,9 @@ from priorlab.core.sensor import Scanner
 from priorlab.interchange.carmen_writing import write_carmen
 from priorlab.interchange.ros_map import read_ros_map, write_ros_map
 from priorlab.interchange.trajectories import read_tum
+from priorlab.report.own_log import drive_own_log, read_own_log
 from priorlab.robot.drive import drive
+from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.run_file import load_run
 
 PIXEL_M = 0.05
@@ -105,6 +107,15 @@ def test_localize_takes_a_drawing_and_a_log_without_truth(place, tmp_path, capsy
     assert "to go" in said and "ATE" not in said and "ESS" in said
 
 
+def test_localize_starts_round_a_start_that_is_not_exact(place):
+    folder, log = place
+    off = compose(np.array(ORIGIN), log.start + [0.2, -0.1, np.radians(4)])
+    own = read_own_log(folder / "drive.log.gz", folder / "plan.yaml", tuple(off), start_error=(0.2, np.radians(5)))
+    assert own.parameters.start_variances == pytest.approx((0.04, 0.04, np.radians(5) ** 2))
+    run = FastSLAM(own.parameters).run(own.prior_map, own.log, np.random.default_rng(0))
+    assert np.hypot(*(run.trajectory - log.truth)[-1, :2]) < 0.1
+
+
 def test_localize_says_when_the_robot_got_lost(place, tmp_path, capsys):
     folder, _ = place
     command = localize(folder, "drive.log.gz", "plan.png", tmp_path / "out", ["5.5", "4.9", "180"], "--metres-per-pixel", "0.05")
@@ -147,6 +158,8 @@ def test_localize_goes_on_after_an_interruption(place, done, tmp_path):
         ({"--max-range": "-1"}, "max_range_m must be a finite number above 0, got -1"),
         ({"--wheel-noise": "-1"}, "alphas must be 4 finite numbers of at least 0"),
         ({"--resume": None}, "a checkpoint must lie at"),
+        ({"--start-error": ["nan", "5"]}, "start_error must be a finite number, got nan"),
+        ({"--start-error": ["-1", "0"]}, "start_error must not be negative, got -1 m, 0 radians"),
     ],
 )
 def test_localize_says_what_is_wrong(place, tmp_path, capsys, change, sentence):
@@ -155,6 +168,7 @@ def test_localize_says_what_is_wrong(place, tmp_path, capsys, change, sentence):
     command = localize(folder, change.get("log", "drive.log.gz"), change.get("--map", "plan.yaml"), tmp_path / "out", start)
     for name in ("--metres-per-pixel", "--max-range", "--wheel-noise", "--resume"):
         command += [] if name not in change else [name] if change[name] is None else [f"{name}={change[name]}"]
+    command += ["--start-error", *change["--start-error"]] if "--start-error" in change else []
     assert main(command) == 2
     said = capsys.readouterr().err
     assert sentence in said and said.count("\n") == 1
@@ -174,8 +188,6 @@ def test_localize_guards_a_drive_that_was_interrupted(place, tmp_path, capsys):
 
 
 def test_localize_goes_on_with_its_own_drive_only(place, tmp_path, capsys):
-    from priorlab.report.own_log import drive_own_log, read_own_log
-
     folder, log = place
     own = read_own_log(folder / "blind.log", folder / "plan.yaml", tuple(compose(np.array(ORIGIN), log.start)))
 
