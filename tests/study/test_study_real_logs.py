@@ -1,11 +1,6 @@
-"""Localization on a log's own map: a simulated drive everywhere, freiburg-079 where PRIORLAB_REAL_DATA says.
+"""Localization on a log's own map: a simulated drive. (The real logs: test_study_real_logs_table.py.)"""
 
-`make real DATA=folder` prints the real table.
-"""
-
-import os
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,8 +8,7 @@ import pytest
 from priorlab.core.building import World
 from priorlab.core.readings import RobotLog
 from priorlab.core.sensor import Scanner
-from priorlab.interchange.carmen import read_carmen
-from priorlab.interchange.relations import Relations, read_relations
+from priorlab.interchange.relations import Relations
 from priorlab.robot.drive import drive
 from priorlab.study.real_logs import (
     LASER,
@@ -28,8 +22,6 @@ from priorlab.study.real_logs import (
 )
 
 SICK = Scanner(n_beams=181, field_of_view=np.pi, min_range_m=0.1, max_range_m=20.0, outlier_rate=0.0, dropout_rate=0.0)
-BEHIND_S = 1211.36
-"""The relations' clock against the log's, seconds."""
 
 
 @pytest.fixture(scope="module")
@@ -109,14 +101,3 @@ def test_localize_on_odd_scans_says_what_is_missing(hall):
     short = RobotLog(log.odometry[:3], log.ranges[:3], log.bearings, SICK, log.start, log.truth[:3])
     with pytest.raises(ValueError, match="at least four scans .* got 3"):
         localize_on_odd_scans(short, 0)
-
-
-@pytest.mark.skipif("PRIORLAB_REAL_DATA" not in os.environ, reason="PRIORLAB_REAL_DATA is not set")
-def test_localize_on_odd_scans_of_a_real_log():
-    folder = Path(os.environ["PRIORLAB_REAL_DATA"]) / "robot_logs"
-    relations = read_relations(folder / "fr079.relations")
-    log = read_carmen(folder / "freiburg-079-corrected.log.gz", first=600)
-    rows = [localize_on_odd_scans(log, seed=0)]
-    print("\n" + logs_table("freiburg-079", rows, relations, BEHIND_S))
-    assert rows[0].run.ate_m() <= 0.10 < rows[0].dead_reckoning_m and rows[0].run.heading_error_deg() <= 1.0
-    assert rows[0].relation_errors(relations, BEHIND_S).translation_m.mean() <= 0.10
