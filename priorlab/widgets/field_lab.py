@@ -60,7 +60,7 @@ class FieldLab(Lab):
     Attributes
     ----------
     pose : (3,) where the scan is laid from
-    log_likelihood, log_weight : sum of the beams' logarithms, and that times the temper
+    log_likelihood, log_weight : sum of the beams' logarithms, and the weight that the temper makes of it
     ratio : its weight over that of the true pose
     explained : share of the beams that end near an obstacle
     across : (161,) log weights of the poses to the left and right of it
@@ -99,9 +99,12 @@ class FieldLab(Lab):
         self.pose[2] = wrap_angle(self.pose[2])
         beside = np.tile(self.pose, (len(SHIFTS_M), 1))
         beside[:, 0] = self.truth[0] + SHIFTS_M
-        weights = log_weights(np.vstack([self.truth, self.pose, beside]), self.scan, self.field)
+        poses = np.vstack([self.truth, self.pose, beside])
+        weights = log_weights(poses, self.scan, self.field)
+        as_printed = LikelihoodField(self.field.image, self.field.grid, replace(self.parameters, temper=1.0))
+        literal = log_weights(poses, self.scan, as_printed)
         self.log_weight, self.across = float(weights[1]), weights[2:]
-        self.log_likelihood = self.log_weight / self.parameters.temper
+        self.log_likelihood, self._literal = float(literal[1]), literal[2:]
         self.ratio = float(np.exp(weights[1] - weights[0]))
         self.explained = share_explained(self.pose, self.scan, self.field)
         self.pictures[0].show(self._paint(), f"The likelihood field, yellow = likely, and the scan laid on it. {self.summary()}")
@@ -112,7 +115,7 @@ class FieldLab(Lab):
             ("one beam that ends at a wall", f"ln = {at_wall:+.2f}"),
             ("one that ends far from any", f"ln = {self.field.far:+.2f}"),
             ("all beams, the product q", f"ln q = {self.log_likelihood:+.1f}"),
-            ("times temper", f"<b>ln w = {self.log_weight:+.2f}</b>"),
+            ("tempered", f"<b>ln w = {self.log_weight:+.2f}</b>"),
             ("weight over the true pose's", f"<b>{self.ratio:.3g}</b>"),
             ("beams that end near a wall", f"{100 * self.explained:.0f} %"),
             ("left picture", "yellow: likely; pink: the scan;<br>green: where the robot stood"),
@@ -144,8 +147,7 @@ class FieldLab(Lab):
             (-4, 4), (0, 1.05), ("to the right of the true place, m", "weight / largest"), "slid sideways", (360, 320),
             x_ticks=(-4, -2, 0, 2, 4), y_ticks=(0, 0.5, 1),
         )  # fmt: skip
-        literal = self.across / self.parameters.temper
-        plane.line(SHIFTS_M, np.exp(literal - literal.max()), "stroke='#555' stroke-dasharray='4 3'")
+        plane.line(SHIFTS_M, np.exp(self._literal - self._literal.max()), "stroke='#555' stroke-dasharray='4 3'")
         plane.line(SHIFTS_M, np.exp(self.across - self.across.max()), f"stroke='{BLUE}' stroke-width='2'")
         plane.points(self.dx.value, float(np.exp(self.log_weight - self.across.max())), "dot", RED, 5)
         return plane.svg()

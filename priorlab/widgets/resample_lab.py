@@ -14,7 +14,7 @@ from priorlab.widgets.plane import Plane
 from priorlab.widgets.sliders import Slider
 
 METHODS = ("systematic", "stratified", "multinomial")
-N_SPINS = 200
+N_SPINS = 100
 
 PRESETS: dict[str, dict[str, float]] = {
     "systematic": {"method": 1},
@@ -40,7 +40,7 @@ class ResampleLab(Lab):
     owed : (N,) draws times weight
     copies : (N,) how often each was drawn this time
     survivors : how many different particles go on
-    spins : (200, N) copies in as many spins
+    spins : (100, N) copies in as many spins
     fewest, most : (N,) of these
     """
 
@@ -54,7 +54,7 @@ class ResampleLab(Lab):
         super().__init__(sliders, PRESETS, [Picture()])
 
     def refresh(self) -> None:
-        """Weights, this draw, and 200 others."""
+        """Weights, this draw, and 99 others."""
         n, name = int(self.n_draws.value), METHODS[int(self.method.value) - 1]
         particles = Particles(np.zeros((len(self._logs), 3)), self.temper.value * self._logs)
         self.weights, self.ess = particles.weights, particles.effective_number

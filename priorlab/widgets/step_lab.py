@@ -31,6 +31,7 @@ DONE = {
     "estimate": "3 <b>estimate</b>: the mean of the<br>heaviest cluster",
     "resample": "4 <b>resample</b> (alg. 6.2): drawn by<br>weight; now all weigh the same",
 }
+SKIPPED = "left out: no beam returned, or it<br>hardly moved since the last that did"
 HALF_M, ZOOM = 3.0, 3
 
 
@@ -90,6 +91,7 @@ class StepLab(Lab):
         self.stage = STAGES[(done - 1) % len(STAGES)] if done else "start"
         now = steps[self.step - 1] if done else None
         before = steps[self.step - 2].pose if self.step > 1 else None
+        self._skipped = now is not None and now.weighed is now.moved  # the scan did not weigh (`weigh_every_m`), or had no return
         if now is None:
             self.particles, self.pose = start.particles, None
         else:
@@ -160,7 +162,7 @@ class StepLab(Lab):
         spread = float(np.sqrt(self.particles.poses[:, :2].var(axis=0).sum()))
         return [
             ("step", f"{self.step} of {len(self._log)}"),
-            ("last stage", DONE[self.stage]),
+            ("last stage", SKIPPED if self._skipped and self.stage in ("weigh", "resample") else DONE[self.stage]),
             ("particles N", f"<b>{n}</b>"),
             ("effective number", f"<b>{self.particles.effective_number:.0f}</b>"),
             ("heaviest weight, x N", f"{n * weights.max():.2f}"),

@@ -85,8 +85,10 @@ def test_field_lab_gives_what_the_library_gives(field_lab, rooms):
     field_lab.set(dx=0.2, dy=-0.1, turn=10, sigma_hit=0.1, z_random=0.3, max_distance=0.5, temper=0.4)
     parameters = Parameters(sigma_hit_m=0.1, z_random=0.3, max_distance_m=0.5, temper=0.4)
     pose = log.truth[5] + [0.2, -0.1, np.radians(10)]
-    weight = log_weights(pose[None], choose_beams(log, 5, parameters), LikelihoodField.of(grid_map, parameters)).item()
-    assert field_lab.log_weight == pytest.approx(weight) and field_lab.log_likelihood == pytest.approx(weight / 0.4)
+    scan = choose_beams(log, 5, parameters)
+    weight = log_weights(pose[None], scan, LikelihoodField.of(grid_map, parameters)).item()
+    printed = log_weights(pose[None], scan, LikelihoodField.of(grid_map, replace(parameters, temper=1.0))).item()
+    assert field_lab.log_weight == pytest.approx(weight) and field_lab.log_likelihood == pytest.approx(printed)
     assert np.interp(0.2, np.linspace(-4, 4, 161), field_lab.across) == pytest.approx(weight, abs=1e-3)
 
 
