@@ -18,6 +18,9 @@ from priorlab.slam.scan import Scan
 BLOCK_M = 5.0
 """A map grows by so much at least, so that it seldom does."""
 
+MARGIN_M = 1.0
+"""Room round all that was seen."""
+
 
 class GrowingMap:
     """An occupancy map and its likelihood field; both change in place.
@@ -47,6 +50,18 @@ class GrowingMap:
         """The map as it is now; what nobody saw is 0.5."""
         return GridMap(self.log_odds.copy(), self.field.grid, Prior.uninformed())
 
+    def trim(self) -> None:
+        """Cut off what lies more than a metre beyond all that was seen."""
+        rows, cols = (np.flatnonzero(self.log_odds.any(axis=axis)) for axis in (1, 0))
+        if len(rows) == 0:
+            return
+        margin, (n_rows, n_cols) = math.ceil(MARGIN_M / self.cell_m), self.log_odds.shape
+        top, bottom = max(rows[0] - margin, 0), min(rows[-1] + margin + 1, n_rows)
+        left, right = max(cols[0] - margin, 0), min(cols[-1] + margin + 1, n_cols)
+        self.log_odds = self.log_odds[top:bottom, left:right].copy()
+        self._low_cell = self._low_cell + [left, n_rows - bottom]
+        self.field = self._fresh_field()
+
     def into(self, poses: NDArray[np.float64]) -> NDArray[np.float64]:
         """Poses (..., 3) of the log's frame in the frame of the map."""
         return poses - [*self.low, 0.0]
@@ -64,7 +79,7 @@ class GrowingMap:
     def _make_room(self, xy: NDArray[np.float64]) -> None:
         """More cells, so that (N, 2) points of the log's frame lie on the map, a metre from its rim."""
         rows, cols = self.log_odds.shape
-        margin, block = math.ceil(1.0 / self.cell_m), math.ceil(BLOCK_M / self.cell_m)
+        margin, block = math.ceil(MARGIN_M / self.cell_m), math.ceil(BLOCK_M / self.cell_m)
         cells = np.floor(xy / self.cell_m).astype(np.int64)
         lacks_low = self._low_cell - (cells.min(axis=0) - margin)
         lacks_high = cells.max(axis=0) + margin + 1 - (self._low_cell + [cols, rows])

@@ -159,6 +159,7 @@ def _finish(
     log: RobotLog, growing: GrowingMap, poses: NDArray[np.float64], explained: NDArray[np.float64], trusted: NDArray[np.bool_]
 ) -> MatchedDrive:
     """All in the frame of the map, which has its corner only now."""
+    growing.trim()
     truth = None if log.truth is None else growing.into(log.truth)
     moved = replace(log, start=growing.into(log.start), truth=truth)
     return MatchedDrive(moved, growing.map, growing.into(poses), growing.low, explained, trusted)

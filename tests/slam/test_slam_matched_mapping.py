@@ -125,6 +125,17 @@ def test_growing_map_grows_to_all_sides_and_forgets_nothing():
     np.testing.assert_array_equal(whole._fresh_field().image, growing.field.image)  # the windows add up to the whole field
 
 
+def test_growing_map_trims_what_nobody_saw():
+    growing = GrowingMap(MATCHING, 0.05, np.zeros(2))
+    growing.insert(np.array([0.02, 0.02, 0.0]), Scan(np.array([2.0]), np.array([0.0]), NONE))
+    before, hit = growing.log_odds.shape, np.array([[2.02, 0.02]])
+    growing.trim()
+    grid = growing.field.grid
+    assert grid.shape == (41, 81) < before and growing.low.tolist() == [-1.0, -1.0]  # 41 cells of a ray, 20 on every side
+    assert growing.map.p_empty[tuple(grid.xy_to_cell(grid.metres_to_xy(hit - growing.low))[0])] < 0.35
+    assert growing.field.image.max() == growing.field.image[20, 60]
+
+
 def test_growing_map_says_when_it_would_be_too_large():
     growing = GrowingMap(MATCHING, 0.05, np.zeros(2))
     with pytest.raises(ValueError, match="cell_size must leave at most"):
