@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.drawing.runs import run_lengths
+from priorlab.drawing.runs import gaps_between, run_lengths
 from priorlab.drawing.strokes import common_thickness, opened
 from priorlab.drawing.wall_sizes import WallSizes
 from priorlab.drawing.weight import SLENDER, Hypothesis
@@ -31,6 +31,9 @@ THIN = 0.35
 
 INSIDE = 0.8
 """So much of an added piece lies inside the building."""
+
+OPENING = 10.0
+"""Openings up to so many thicknesses long do not let the outside in."""
 
 ALONGSIDE = 0.4
 """No more of it may lie close along a wall."""
@@ -64,7 +67,9 @@ def without_thin_outside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
         return walls
     n_parts, parts = cv2.connectedComponents((walls & ~core).astype(np.uint8), connectivity=8)
     area = np.bincount(parts.ravel(), minlength=n_parts)
-    inside = np.bincount(parts[inside_of(core)], minlength=n_parts)
+    opening = OPENING * common_thickness(walls)
+    closed = core | gaps_between(core, opening, 0) | gaps_between(core, opening, 1)
+    inside = np.bincount(parts[inside_of(closed)], minlength=n_parts)
     outside = (inside < (1 - INSIDE) * area) & (area >= side**2)
     outside[0] = False
     return walls & ~outside[parts]

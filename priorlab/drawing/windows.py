@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.drawing.runs import gaps_between, run_lengths
-from priorlab.drawing.strokes import bridge_windows, common_thickness
+from priorlab.drawing.strokes import bridge_windows, common_thickness, thinner_run
 from priorlab.drawing.wall_sizes import WallSizes
 
 RECTANGLE = 0.8
@@ -31,6 +31,9 @@ ROOMY = 8
 
 ACROSS = 0.4
 """The outermost lines of a window lie so much of a wall's thickness apart."""
+
+THICKEST, AS_WIDE = 90, 1.6
+"""A window is no thicker than 1.6 times what 90 % of the walls' area is; a flight of stairs between two walls is."""
 
 
 def window_panes(cells: NDArray[np.int32], sizes: WallSizes) -> NDArray[np.bool_]:
@@ -70,7 +73,9 @@ def window_panes(cells: NDArray[np.int32], sizes: WallSizes) -> NDArray[np.bool_
 
 
 def window_bridges(walls: NDArray[np.bool_], ink: NDArray[np.bool_], longest: float) -> NDArray[np.bool_]:
-    """Ink of windows that join two pieces of wall: `bridge_windows`, without lone lines; a window has two or more.
+    """Ink of windows that join two pieces of wall: `bridge_windows`, without lone lines, and without treads.
+
+    A window has two lines or more, and is as thick as a wall.
 
     Parameters
     ----------
@@ -81,10 +86,12 @@ def window_bridges(walls: NDArray[np.bool_], ink: NDArray[np.bool_], longest: fl
     bridges = bridge_windows(walls, ink, longest)
     thickness = common_thickness(walls)
     apart = ACROSS * thickness if thickness >= ROOMY else 0.0
+    wide = max(2.0 * ROOMY, AS_WIDE * float(np.percentile(thinner_run(walls)[walls], THICKEST))) if walls.any() else 0.0
     kept = np.zeros_like(walls)
     for axis in (0, 1):
         lines = bridges & (run_lengths(bridges, axis) > run_lengths(bridges, 1 - axis))
         band = lines | gaps_between(lines, thickness, 1 - axis)
-        kept |= lines & (run_lengths(band, 1 - axis) >= apart)
+        across = run_lengths(band, 1 - axis)
+        kept |= lines & (across >= apart) & (across <= wide)
     near = cv2.dilate(kept.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
     return kept | (bridges & near)

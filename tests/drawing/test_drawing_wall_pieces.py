@@ -86,6 +86,28 @@ def test_window_bridges_take_two_lines_and_no_lone_one():
     assert not found[60:].any()
 
 
+def test_window_bridges_take_no_flight_of_stairs():
+    walls = np.zeros((200, 200), dtype=bool)
+    walls[:, 50:62] = walls[:, 120:132] = True
+    ink = walls.copy()
+    ink[40:160:9, 62:120] = True
+    assert not window_bridges(walls, ink, 100).any()
+    ink[67:160] = walls[67:160]  # four of them are as thick as walls
+    ink[[40, 45], 62:120] = True
+    ink[49:67] = walls[49:67]
+    assert window_bridges(walls, ink, 100)[[40, 45], 62:120].all()
+
+
+def test_without_thin_outside_keeps_a_partition_that_faces_an_opening():
+    walls = _house() < 128
+    walls[200:260, 60:70] = False  # an opening in the left wall
+    walls[230:232, 300:530] = True  # a partition from the right wall, seen through it
+    walls[200:210, 540:580] = walls[200:202, 541:] = True  # a terrace
+    found = without_thin_outside(walls)
+    assert found[230:232, 300:530].all()
+    assert not found[:, 585:].any()
+
+
 def test_with_heavy_ink_keeps_a_diagonal_wing_and_no_scale_bar():
     ink = np.zeros((400, 600), dtype=bool)
     ink[50:60, 50:300] = ink[50:300, 50:60] = True
