@@ -29,8 +29,11 @@ INKED = 0.8
 AT_FACE = 0.3
 """The outermost lines lie within this share of the thickness from the faces of the wall."""
 
-OTHER_INK = 0.12
-"""So much of a window, at most, is ink that is no line along it: a post, and what a scan leaves."""
+OTHER_INK = 0.25
+"""In so many of a window's cross-sections, at most, is ink that is no line along it: posts, and what a scan leaves."""
+
+SPECK = 0.2
+"""Smaller ink, as a share of the thickness in pixels, is dirt."""
 
 SLENDER, LONGEST = 1.1, 12.0
 """A window is so many times longer than thick: at least, and at most, about 4 m in a wall of 35 cm."""
@@ -40,6 +43,9 @@ POST = 0.5
 
 FILLS = 0.8
 """The cross-sections of a window fill so much of the box round it."""
+
+MOST = 0.5
+"""Rows that fewer of its columns have do not belong to it: furniture stands before it."""
 
 ALREADY = 0.4
 """A window whose lines were not all found has no more wall in its box than this."""
@@ -94,12 +100,17 @@ def _along_x(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes,
         for is_new, body in ((False, solid), (True, with_lines | gaps_between(with_lines, reach * sizes.thickness, 0))):
             drawn = ink & body
             lines, glazed = _cross_sections(body, drawn, weight)
-            glazed |= gaps_between(glazed, max(NARROWEST, round(POST * sizes.thickness)), 1) & body
-            for x, y, width, height in _boxes(glazed):
+            joined = glazed | (gaps_between(glazed, max(NARROWEST, round(POST * sizes.thickness)), 1) & body)
+            plain = []
+            wall = solid.copy()
+            for x, y, width, height in {*_boxes(glazed), *_boxes(joined)}:
                 box = np.s_[y : y + height, x : x + width]
-                plain = (drawn[box] & ~lines[box]).mean() <= OTHER_INK and not (is_new and walls[box].mean() > ALREADY)
-                if plain and _goes_on(solid & ~glazed, (x, y, width, height)):
-                    found[box] = True
+                if _crossed(drawn[box], lines[box]) <= OTHER_INK and not (is_new and walls[box].mean() > ALREADY):
+                    plain.append((x, y, width, height))
+                    wall[box] = False
+            for x, y, width, height in plain:
+                if _goes_on(wall, (x, y, width, height)):
+                    found[y : y + height, x : x + width] = True
     return found
 
 
@@ -135,13 +146,25 @@ def _cross_sections(
 
 
 def _boxes(glazed: NDArray[np.bool_]) -> list[Box]:
-    """x, y, width, height of the pieces that have the shape of a window along x."""
-    _, _, stats, _ = cv2.connectedComponentsWithStats(glazed.astype(np.uint8), connectivity=4)
-    return [
-        (x, y, width, height)
-        for x, y, width, height, area in stats[1:].tolist()
-        if height >= NARROWEST and SLENDER * height <= width <= LONGEST * height and area >= FILLS * width * height
-    ]
+    """x, y, width, height of the pieces that have the shape of a window along x: the rows that most of their columns have."""
+    _, parts, stats, _ = cv2.connectedComponentsWithStats(glazed.astype(np.uint8), connectivity=4)
+    found = []
+    for k, (x, y, width, height, area) in enumerate(stats.tolist()):
+        if k and height >= NARROWEST and width <= LONGEST * height and area >= FILLS * width * height:
+            rows = np.flatnonzero((parts[y : y + height, x : x + width] == k).mean(axis=1) >= MOST)
+            y, height = y + int(rows[0]), int(rows[-1] - rows[0] + 1)
+            if height >= NARROWEST and SLENDER * height <= width <= LONGEST * height:
+                found.append((x, y, width, height))
+    return found
+
+
+def _crossed(drawn: NDArray[np.bool_], lines: NDArray[np.bool_]) -> float:
+    """Share of the columns with ink that belongs to no line along x; rough edges and specks aside."""
+    near = cv2.dilate(lines.astype(np.uint8), np.ones((3, 1), np.uint8)).astype(bool)
+    _, parts, stats, _ = cv2.connectedComponentsWithStats((drawn & ~near).astype(np.uint8), connectivity=8)
+    large = stats[:, cv2.CC_STAT_AREA] >= max(3, SPECK * len(drawn))
+    large[0] = False
+    return float(large[parts].any(axis=0).mean())
 
 
 def _goes_on(wall: NDArray[np.bool_], box: Box) -> bool:

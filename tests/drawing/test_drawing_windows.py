@@ -93,6 +93,15 @@ def test_find_windows_post_across_is_part_of_it():
     assert find_windows(walls, ink, SIZES)[TOP : LOW + 1, GAP].all()
 
 
+def test_find_windows_hatched_wall_with_a_cavity_is_none():
+    ink, walls = _glazed("hatched", (TOP, 37, LOW))
+    ink[TOP + 1 : 36, 41:159] = ink[TOP + 1 : 36, 241:360] = False  # the hatching fills the lower half of the wall
+    ink[36, 40:361] = True
+    found = find_windows(walls, ink, SIZES)
+    assert found[TOP : LOW + 1, GAP].all()
+    assert not found[:, : GAP.start - 2].any() and not found[:, GAP.stop + 2 :].any()
+
+
 def test_find_windows_upright():
     ink, walls = _glazed("filled", (TOP, 37, LOW))
     assert np.array_equal(find_windows(walls.T, ink.T, SIZES), find_windows(walls, ink, SIZES).T)
