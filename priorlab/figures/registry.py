@@ -19,6 +19,7 @@ from priorlab.figures.depth_camera_zooms import FIGURE_5_15, FIGURE_5_16, FIGURE
 from priorlab.figures.figure import Entry
 from priorlab.figures.prior_figures import PRIOR_FIGURES
 from priorlab.figures.scaling import SCALING
+from priorlab.figures.scan_matching import SCAN_MATCHING
 
 DEPTH_CAMERA = (
     *(FIGURE_5_12, FIGURE_5_13, FIGURE_5_14, FIGURE_5_15, FIGURE_5_16, FIGURE_5_17, FIGURE_5_18, FIGURE_5_19, FIGURE_5_20),
@@ -42,6 +43,7 @@ FIGURES: dict[str, Entry] = {
         *PRIOR_FIGURES,
         *DEPTH_CAMERA,
         *SIMULATED_FLOOR,
+        SCAN_MATCHING,
         SCALING,
     )
 }
