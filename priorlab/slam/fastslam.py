@@ -21,7 +21,7 @@ from priorlab.slam.measurement import share_explained
 from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.particles import start_particles
 from priorlab.slam.recording import Recorder, Run
-from priorlab.slam.scan import choose_beams
+from priorlab.slam.scan import choose_beams, weighing_steps
 from priorlab.slam.state import State, Step
 
 
@@ -94,7 +94,9 @@ class FastSLAM:
         warn_when_overruled(prior_map.prior, parameters.p_free, parameters.p_occupied, parameters.lam)
         particles = start_particles(log.start, parameters.particle_limits[1], parameters.start_variances, rng)
         field = plan.copy() if parameters.localize_in == "updated" else plan
-        return State(prior_map, log, plan, 0, particles, prior_map.log_odds.copy(), field, rng, Recorder())
+        weighs = weighing_steps(log, parameters)
+        resamples = weighs & (np.cumsum(weighs) % parameters.resampling_interval == 0)
+        return State(prior_map, log, plan, weighs, resamples, 0, particles, prior_map.log_odds.copy(), field, rng, Recorder())
 
     def step(self, state: State) -> Step:
         """One iteration of algorithm 6.1: Localise (algorithm 6.2), UpdateOccupancyGridMap (algorithm 6.5). Moves `state` on.
@@ -109,10 +111,9 @@ class FastSLAM:
         parameters, log, k = self.parameters, state.log, state.step
         scan = choose_beams(log, k, parameters)
         moved = predict(state.particles, log.odometry[max(k - 1, 0)], log.odometry[k], state.rng, parameters)
-        weighed = weigh(moved, scan, state.field)
+        weighed = weigh(moved, scan, state.field) if state.weighs[k] else moved
         pose = estimate_pose(weighed, parameters)
-        resample_now = (k + 1) % parameters.resampling_interval == 0 and len(scan) > 0  # no return: nothing was learnt
-        particles = choose(weighed, state.rng, parameters) if resample_now else weighed
+        particles = choose(weighed, state.rng, parameters) if state.resamples[k] else weighed
         seen = see_cells(state.prior_map.grid, pose, scan, parameters)
         update_seen(state.log_odds, state.prior_map.log_odds, seen, parameters)
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.slam.likelihood_field import LikelihoodField, log_likelihood_of
+from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.scan import Scan
 
 EXPLAINED_M = 0.4
@@ -43,7 +46,7 @@ def beam_log_likelihoods(poses: NDArray[np.float64], scan: Scan, field: Likeliho
 
 
 def log_weights(poses: NDArray[np.float64], scan: Scan, field: LikelihoodField) -> NDArray[np.float64]:
-    """Log of the weight of every pose: temper times the sum over the beams of the logarithms of algorithm 6.4.
+    """Log of the weight of every pose: `scan_exponent` times the sum over the beams of the logarithms of algorithm 6.4.
 
     The product q of 60 factors becomes a sum of logarithms, which cannot underflow. An end off the map counts as far from
     every obstacle, so particles that all left the map get equal weights. A scan without a return says nothing: zeros.
@@ -52,7 +55,7 @@ def log_weights(poses: NDArray[np.float64], scan: Scan, field: LikelihoodField) 
     ----------
     poses : (N, 3) particles x, y, theta; metres
     scan : the beams that returned
-    field : of the map; its `parameters.temper` is the exponent
+    field : of the map, with the parameters
 
     Returns
     -------
@@ -63,7 +66,19 @@ def log_weights(poses: NDArray[np.float64], scan: Scan, field: LikelihoodField) 
     size = max(1, min(_PARTICLES_AT_ONCE, _ENDS_AT_ONCE // len(scan)))
     chunks = [poses[start : start + size] for start in range(0, len(poses), size)]
     sums = [beam_log_likelihoods(chunk, scan, field).sum(axis=1, dtype=np.float64) for chunk in chunks]
-    return field.parameters.temper * np.concatenate(sums)
+    return scan_exponent(len(scan), field.parameters) * np.concatenate(sums)
+
+
+def scan_exponent(n_returned: int, parameters: Parameters = TUNED) -> float:
+    """The exponent of the likelihood of a scan with that many beams: temper * sqrt(n_beams / n_returned), at most 1.
+
+    A full scan has `temper`. One of fewer beams says less, but not in proportion: beams side by side repeat one another, and what
+    n readings say grows as the root of n. With temper = 1 every beam counts in full, as printed.
+
+    >>> [round(scan_exponent(n), 3) for n in (60, 15)]
+    [0.05, 0.1]
+    """
+    return min(1.0, parameters.temper * math.sqrt(parameters.n_beams / n_returned))
 
 
 def share_explained(pose: NDArray[np.float64], scan: Scan, field: LikelihoodField) -> float:

@@ -1,4 +1,4 @@
-"""One scan as the filter uses it: the beams that returned, thinned to the number that weighs."""
+"""One scan as the filter uses it: the beams that returned, thinned to the number that weighs; and which scans weigh."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.pose import wrap_angle
 from priorlab.core.readings import RobotLog
 from priorlab.slam.parameters import Parameters
 
@@ -53,6 +54,25 @@ def choose_beams(log: RobotLog, step: int, parameters: Parameters) -> Scan:
         bearings[_spread(open_beams, parameters.n_beams)],
         parameters.sensor_offset_m,
     )
+
+
+def weighing_steps(log: RobotLog, parameters: Parameters) -> NDArray[np.bool_]:
+    """(T,) True for the steps whose scan weighs: it has a return, and the wheels say that the robot has driven `weigh_every_m` or
+    turned `weigh_every_theta` since the last scan that weighed.
+
+    A robot that stands sees one thing again and again. Readings of one thing share their error, above all furniture that the
+    plan lacks, and counted as independent they would outvote everything seen before.
+    """
+    weighs = np.zeros(len(log), dtype=bool)
+    last = None
+    for k, pose in enumerate(log.odometry):
+        if last is not None:
+            driven, turned = np.hypot(*(pose - last)[:2]), abs(wrap_angle(pose[2] - last[2]))
+            if driven < parameters.weigh_every_m and turned < parameters.weigh_every_theta:
+                continue
+        if len(choose_beams(log, k, parameters)):
+            weighs[k], last = True, pose
+    return weighs
 
 
 def _spread(indices: NDArray[np.int64], at_most: int) -> NDArray[np.int64]:

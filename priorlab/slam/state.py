@@ -23,6 +23,7 @@ class State:
     Parameters
     ----------
     prior_map, log, plan : m_0, the drive and the field of m_0; these never change
+    weighs, resamples : (T,) steps whose scan weighs, and after which particles are drawn; the log says it beforehand
     step : number of the next step
     particles : the belief so far
     log_odds : (rows, cols) m_{k-1}; a step writes into it
@@ -34,6 +35,8 @@ class State:
     prior_map: GridMap
     log: RobotLog
     plan: LikelihoodField
+    weighs: NDArray[np.bool_]
+    resamples: NDArray[np.bool_]
     step: int
     particles: Particles
     log_odds: NDArray[np.float64]
@@ -64,7 +67,7 @@ class Step:
     number : k
     scan : the beams that counted
     moved : the particles after the motion model
-    weighed : the same with their weights
+    weighed : the same with their weights; `moved` itself when the scan did not weigh
     pose : (3,) the estimate x, y, theta; metres
     particles : those that go on
     seen : the cells that the scan saw from the estimate

@@ -18,7 +18,7 @@ from priorlab.slam.map_update import see_cells, update_seen
 from priorlab.slam.measurement import share_explained
 from priorlab.slam.parameters import TABLE_6_1, TUNED, Parameters
 from priorlab.slam.particles import Particles, start_particles
-from priorlab.slam.scan import choose_beams
+from priorlab.slam.scan import choose_beams, weighing_steps
 from priorlab.slam.trajectory_error import absolute_trajectory_error_m, dead_reckoning
 
 
@@ -35,18 +35,21 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in)
     rng = np.random.default_rng(7)
     particles = start_particles(log.start, 4500, (0, 0, 0), rng)
     log_odds_map, plan = slam_prior.log_odds.copy(), LikelihoodField.of(slam_prior, parameters)
+    weighs = weighing_steps(log, parameters)
+    assert 10 < weighs.sum() < 40
     for k in range(40):
         # the field is made anew from the whole map in every step: the run only repairs a window of it
         in_use = GridMap(log_odds_map, slam_prior.grid) if localize_in == "updated" else slam_prior
         field = LikelihoodField.of(in_use, parameters)
         scan = choose_beams(log, k, parameters)
         particles = predict(particles, log.odometry[max(k - 1, 0)], log.odometry[k], rng, parameters)
-        particles = weigh(particles, scan, field)
+        if weighs[k]:
+            particles = weigh(particles, scan, field)
         pose = estimate_pose(particles, parameters)
         assert np.array_equal(pose, run.trajectory[k])
         assert np.array_equal(run.explained[k], share_explained(pose, scan, plan), equal_nan=True)
         assert (len(particles), particles.effective_number) == (run.n_particles[k], run.ess[k])
-        particles = choose(particles, rng, parameters) if len(scan) else particles
+        particles = choose(particles, rng, parameters) if weighs[k] else particles
         update_seen(log_odds_map, slam_prior.log_odds, see_cells(slam_prior.grid, pose, scan, parameters), parameters)
     assert np.array_equal(log_odds_map, run.map.log_odds)
 
@@ -54,7 +57,7 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in)
 def test_run_equals_start_steps_and_finish(slam_prior, drive_log):
     log, slam = first_steps(drive_log, 25), FastSLAM(localize_in="updated", resampling_interval=2)
     run = slam.run(slam_prior, log, np.random.default_rng(3))
-    state = slam.start(slam_prior, log, np.random.default_rng(3))
+    state, weighs = slam.start(slam_prior, log, np.random.default_rng(3)), weighing_steps(log, slam.parameters)
     for k in range(len(log)):
         assert not state.done and state.step == k
         before = state.particles
@@ -62,7 +65,8 @@ def test_run_equals_start_steps_and_finish(slam_prior, drive_log):
         assert step.number == k and np.array_equal(step.pose, run.trajectory[k])
         assert np.array_equal(step.moved.log_weights, before.log_weights)  # moving tells nothing
         assert np.array_equal(step.weighed.poses, step.moved.poses)
-        assert (step.particles is step.weighed) == (k % 2 == 0 or len(step.scan) == 0) and state.particles is step.particles
+        assert (step.weighed is not step.moved) == weighs[k] and state.particles is step.particles
+        assert (step.particles is not step.weighed) == (weighs[k] and weighs[: k + 1].sum() % 2 == 0)
         assert np.array_equal(state.map.log_odds, run.at(k).log_odds)
     assert state.done and f"before step {len(log)}" in repr(state) and f"Step({len(log) - 1}" in repr(step)
     with pytest.raises(ValueError, match="step must be below the 25 scans of the log, got 25"):
@@ -173,7 +177,7 @@ def test_particles_that_all_leave_the_map_stay_finite(slam_prior, drive_log):
 
 def test_resampling_interval_lets_the_weights_pile_up(slam_prior, drive_log):
     log = first_steps(drive_log, 9)
-    run = FastSLAM(resampling_interval=3).run(slam_prior, log, np.random.default_rng(0))
+    run = FastSLAM(resampling_interval=3, weigh_every_m=0, weigh_every_theta=0).run(slam_prior, log, np.random.default_rng(0))
     assert run.ess[5] < run.ess[3] and run.ess[8] < run.ess[6]
     assert run.n_particles.tolist()[:3] == [4500] * 3
 
@@ -242,7 +246,9 @@ def test_run_warns_when_the_prior_is_surer_than_the_sensor(floor, drive_log, pri
         ({"lam": 2}, "lam must lie between 0 and 1, got 2"),
         ({"z_random": 0}, "z_random must lie strictly between 0 and 1, got 0"),
         ({"sigma_hit_m": -1}, "sigma_hit_m must be a finite number above 0, got -1"),
-        ({"thickening_m": -0.1}, "thickening_m must not be negative, got -0.1"),
+        ({"thickening_m": -0.1}, "thickening_m must be a finite number of at least 0, got -0.1"),
+        ({"weigh_every_m": -0.1}, "weigh_every_m must be a finite number of at least 0, got -0.1"),
+        ({"weigh_every_theta": np.nan}, "weigh_every_theta must be a finite number of at least 0, got nan"),
         ({"n_beams": 0}, "n_beams must be at least 1, got 0"),
         ({"noise": "sd"}, "noise must be one of variance, std, got 'sd'"),
         ({"localize_in": "own"}, "localize_in must be one of updated, static, got 'own'"),
@@ -260,6 +266,7 @@ def test_table_6_1_holds_what_is_printed():
     assert TABLE_6_1.alphas == (0.2,) * 4 and TABLE_6_1.max_range_m == 12 and TABLE_6_1.max_distance_m == 2
     assert TABLE_6_1.n_beams == 60 and TABLE_6_1.sigma_hit_m == 0.2 and TABLE_6_1.z_random == 0.05
     assert (TABLE_6_1.p_free, TABLE_6_1.p_occupied) == (0.8, 0.2)
+    assert TABLE_6_1.weigh_every_m == TABLE_6_1.weigh_every_theta == 0  # "for k = 1 : T_end"
     assert TABLE_6_1.temper == 1 and TABLE_6_1.rotation_noise == "literal" and TABLE_6_1.noise == "variance"
 
 

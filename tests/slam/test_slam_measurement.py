@@ -13,9 +13,9 @@ from priorlab.core.grid_map import GridMap, Prior
 from priorlab.core.readings import RobotLog
 from priorlab.core.sensor import Scanner
 from priorlab.slam.likelihood_field import LikelihoodField, distance_to_boundary, log_likelihood_of
-from priorlab.slam.measurement import beam_log_likelihoods, log_weights, share_explained
-from priorlab.slam.parameters import TUNED, Parameters
-from priorlab.slam.scan import Scan, choose_beams
+from priorlab.slam.measurement import beam_log_likelihoods, log_weights, scan_exponent, share_explained
+from priorlab.slam.parameters import TABLE_6_1, TUNED, Parameters
+from priorlab.slam.scan import Scan, choose_beams, weighing_steps
 
 NEAR = replace(TUNED, max_distance_m=0.5, sigma_hit_m=0.2, z_random=0.5)
 
@@ -54,7 +54,8 @@ def slow_log_weight(pose, scan, occupied, cell_m, parameters):
             dist = min([dist, *(cell_m * math.hypot(row - r, col - c) for r, c in boundary)])
         prob = math.exp(-(dist**2) / (2 * parameters.sigma_hit_m**2)) / math.sqrt(2 * math.pi * parameters.sigma_hit_m**2)
         total += math.log((1 - parameters.z_random) * prob + parameters.z_random / parameters.max_range_m)
-    return parameters.temper * total
+    full = math.sqrt(parameters.n_beams / len(scan.ranges))  # fewer beams weigh more each
+    return min(1.0, parameters.temper * full) * total
 
 
 @pytest.mark.parametrize("offset", [(0.0, 0.0), (0.3, -0.2)])
@@ -101,12 +102,18 @@ def test_log_weights_of_more_particles_than_opencv_counts():
     assert np.array_equal(log_weights(poses, scan, field)[35_000:], log_weights(poses[35_000:], scan, field))
 
 
-def test_temper_is_the_exponent_of_the_likelihood():
-    occupied = np.eye(20, dtype=bool)
-    scan, poses = scan_of([0.3, 0.5], [0.0, 0.4]), np.random.default_rng(0).uniform(0.5, 1.5, (30, 3))
-    literal = log_weights(poses, scan, LikelihoodField.of(map_of(occupied), replace(NEAR, temper=1.0)))
-    tempered = log_weights(poses, scan, LikelihoodField.of(map_of(occupied), replace(NEAR, temper=0.05)))
-    assert np.allclose(tempered, 0.05 * literal)
+@pytest.mark.parametrize(
+    ("n_returned", "temper", "exponent"),
+    [(60, 0.05, 0.05), (15, 0.05, 0.1), (1, 0.05, 0.3872983), (1, 0.5, 1.0), (60, 1.0, 1.0), (7, 1.0, 1.0)],
+)
+def test_scan_exponent_grows_as_the_root_of_the_beams_that_lack(n_returned, temper, exponent):
+    parameters = replace(NEAR, temper=temper)
+    assert scan_exponent(n_returned, parameters) == pytest.approx(exponent)
+    rng = np.random.default_rng(0)
+    scan, poses = scan_of(rng.uniform(0.2, 0.9, n_returned), rng.uniform(-1, 1, n_returned)), rng.uniform(0.5, 1.5, (30, 3))
+    fields = [LikelihoodField.of(map_of(np.eye(20, dtype=bool)), replace(NEAR, temper=t)) for t in (1.0, temper)]
+    literal, tempered = (log_weights(poses, scan, field) for field in fields)
+    assert np.allclose(tempered, exponent * literal)
 
 
 def test_field_of_a_thick_wall_is_low_inside_it():
@@ -204,3 +211,34 @@ def test_choose_beams_takes_the_shorter_of_the_two_ranges():
     log = log_of([0.0, 2.0, 5.0], scanner)
     assert choose_beams(log, 0, TUNED).ranges.tolist() == [2.0]
     assert choose_beams(log, 0, replace(TUNED, max_range_m=12.0)).ranges.tolist() == [2.0, 5.0]
+
+
+def slow_weighing_steps(log, every_m, every_theta):
+    """Drive along; note where the robot stood when a scan last weighed."""
+    weighs, x, y, theta = [], None, None, None
+    for (px, py, ptheta), ranges in zip(log.odometry.tolist(), log.ranges.tolist(), strict=True):
+        returned = any(log.scanner.min_range_m <= r < 3.0 for r in ranges)
+        moved = x is None or math.hypot(px - x, py - y) >= every_m
+        moved = moved or abs(math.atan2(math.sin(ptheta - theta), math.cos(ptheta - theta))) >= every_theta
+        weighs.append(returned and moved)
+        if weighs[-1]:
+            x, y, theta = px, py, ptheta
+    return weighs
+
+
+@pytest.mark.parametrize(("every_m", "every_theta"), [(0.2, math.radians(20)), (0.35, 3.0), (50.0, 0.5), (0.0, 9.0)])
+def test_weighing_steps_agree_with_a_slow_drive(every_m, every_theta):
+    rng = np.random.default_rng(1)
+    poses = np.cumsum(rng.normal(0, (0.1, 0.1, 0.15), (150, 3)), axis=0)
+    poses[:, 2] = (poses[:, 2] + np.pi) % (2 * np.pi) - np.pi
+    ranges = np.where(rng.random((150, 4)) < 0.3, rng.uniform(0.4, 2.9, (150, 4)), np.inf)
+    log = RobotLog(poses, ranges, Scanner(n_beams=4).bearings, Scanner(n_beams=4), poses[0])
+    weighs = weighing_steps(log, replace(TUNED, weigh_every_m=every_m, weigh_every_theta=every_theta))
+    assert weighs.tolist() == slow_weighing_steps(log, every_m, every_theta)
+    assert 0 < weighs.sum() < 150
+
+
+def test_weighing_steps_take_every_scan_as_printed_and_one_of_a_robot_that_stands():
+    log = log_of([[1.0, 2.0]] * 5 + [[np.nan, np.inf]])
+    assert weighing_steps(log, TUNED).tolist() == [True] + [False] * 5
+    assert weighing_steps(log, TABLE_6_1).tolist() == [True] * 5 + [False]
