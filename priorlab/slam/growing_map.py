@@ -18,6 +18,9 @@ from priorlab.slam.scan import Scan
 BLOCK_M = 5.0
 """A map grows by so much at least, so that it seldom does."""
 
+LARGEST_SIDE = 32_766
+"""Cells; OpenCV, which looks the field up, counts in 16 bits."""
+
 MARGIN_M = 1.0
 """Room round all that was seen."""
 
@@ -86,7 +89,12 @@ class GrowingMap:
         left, below = np.where(lacks_low > 0, np.maximum(lacks_low, block), 0)
         right, above = np.where(lacks_high > 0, np.maximum(lacks_high, block), 0)
         if left or below or right or above:
-            Grid((int(rows + below + above), int(cols + left + right)), 1, self.cell_m)  # says when it is too large
+            shape = int(rows + below + above), int(cols + left + right)
+            if max(shape) > LARGEST_SIDE:
+                raise ValueError(
+                    f"a side of the map must be at most {LARGEST_SIDE} cells of {self.cell_m:g} m, got {max(shape)}: "
+                    "does the odometry leap?"
+                )
             self.log_odds = np.pad(self.log_odds, ((above, below), (left, right)))
             self._low_cell = self._low_cell - [left, below]
             self.field = self._fresh_field()

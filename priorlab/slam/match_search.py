@@ -1,9 +1,9 @@
 """The best of all poses of a window, without scoring them all: branch and bound on max-pooled log likelihoods.
 
-The poses are those that lie whole cells and whole steps of the heading from the guess. A block of s x s of them (s = 8, 4, 2)
-shares one bound: every beam takes the largest log likelihood that it meets anywhere in the block (Olson 2009), the guess its
-nearest corner. The most promising blocks are opened first, and what promises no more than the best pose found is dropped. A
-pose never scores more than its block, so the best of all poses is found.
+The poses are those that lie whole cells and whole steps of the heading from the guess. A block of s x s of them (s = 2, 4, 8,
+...) shares one bound: every beam takes the largest log likelihood that it meets anywhere in the block (Olson 2009), the guess
+its nearest corner. The most promising blocks are opened first, and what promises no more than the best pose found is dropped.
+A pose never scores more than its block, so the best of all poses is found.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 from priorlab.slam.likelihood_field import LikelihoodField
 
-TOP_LEVEL = 3
-"""The first blocks are 2^3 = 8 cells wide."""
+WIDEST_LEVEL = 7
+"""No block is wider than 2^7 = 128 cells."""
 
 _AT_ONCE = 64  # blocks opened at a time: fewer open less in vain, more cost fewer calls
 
@@ -59,10 +59,11 @@ def find_best(
     cell_m = field.grid.cell_size_m
     turn_penalty, step_penalty = 0.5 * np.square(turns / spread[2]), 0.5 * np.square(cell_m / spread[:2])
     rows, cols = _cells(points, field, guess, turns)
-    reach = steps + (1 << TOP_LEVEL)
+    top_level = min(max((2 * steps + 1).bit_length() - 2, 1), WIDEST_LEVEL)  # three to five blocks to a side, mostly
+    reach = steps + (1 << top_level)
     top, left = rows.min() - reach, cols.min() - reach
     image = _cut(field, top, rows.max() + reach + 1, left, cols.max() + reach + 1)
-    levels = _pooled(image)
+    levels = _pooled(image, top_level)
     height, width = image.shape
     ends = (rows - top) * width + cols - left  # (K, B) places in the flat image
 
@@ -75,8 +76,8 @@ def find_best(
         penalty = turn_penalty[turn] + step_penalty[0] * across**2 + step_penalty[1] * up**2
         return field.parameters.temper * fits - penalty
 
-    side = np.arange(-steps, steps + 1, 1 << TOP_LEVEL)
-    axes = np.meshgrid([TOP_LEVEL], np.arange(len(turns)), side, side, indexing="ij")
+    side = np.arange(-steps, steps + 1, 1 << top_level)
+    axes = np.meshgrid([top_level], np.arange(len(turns)), side, side, indexing="ij")
     blocks = np.stack([axis.ravel() for axis in axes])  # (4, M) level, turn, down, right
     bounds = score(*blocks)
     best, best_pose, n_scored = -np.inf, blocks[:, 0], len(bounds)
@@ -121,10 +122,10 @@ def _cut(field: LikelihoodField, top: int, bottom: int, left: int, right: int) -
     return window
 
 
-def _pooled(image: NDArray[np.float32]) -> NDArray[np.float32]:
-    """(TOP_LEVEL + 1, rows, cols): at level h every cell holds the maximum of the 2^h x 2^h cells down and right of it."""
+def _pooled(image: NDArray[np.float32], top_level: int) -> NDArray[np.float32]:
+    """(top_level + 1, rows, cols): at level h every cell holds the maximum of the 2^h x 2^h cells down and right of it."""
     levels = [image]
-    for level in range(TOP_LEVEL):
+    for level in range(top_level):
         last, step = levels[-1], 1 << level
         across = last.copy()
         np.maximum(last[:, :-step], last[:, step:], out=across[:, :-step])
