@@ -33,8 +33,21 @@ from priorlab.slam.relations import RelationErrors, relation_errors
 from priorlab.slam.scan import choose_beams
 from priorlab.slam.trajectory_error import absolute_trajectory_error_m, dead_reckoning, true_poses
 
-LASER = replace(TUNED, max_range_m=20.0, temper=0.2, particle_limits=(4500, 4500), alphas=(0.02, 0.002, 0.02, 0.002), lam=0.0)
-"""TUNED for a laser that sees 20 m, for the worn wheels below, and for a map of what the robot has seen itself.
+LASER = replace(
+    TUNED,
+    alphas=(0.02, 0.002, 0.02, 0.002),
+    n_beams=60,
+    sigma_hit_m=0.05,
+    z_random=0.98,
+    max_distance_m=2.0,
+    max_range_m=20.0,
+    temper=0.2,
+    weigh_every_m=0.0,
+    weigh_every_theta=0.0,
+    particle_limits=(4500, 4500),
+    lam=0.0,
+)
+"""For a laser that sees 20 m, for the worn wheels below, and for a map of what the robot has seen itself. Every scan weighs.
 
 Such a map holds the furniture too: what a beam meets is on it, so beams may weigh more than against a plan (`temper`; chosen
 on one seed of freiburg-079 and of aces, whose few scans lie 1.5 m apart and leave 0.05 more than a metre off). The map is no

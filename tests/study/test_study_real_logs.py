@@ -36,6 +36,13 @@ def hall():
     return obstacles, RobotLog(moved, log.ranges, log.bearings, SICK, moved[0], moved, stamps)
 
 
+def test_laser_pins_what_it_was_chosen_with():
+    """The preset TUNED may be tuned anew for the plan's sake; the numbers of the real logs were taken with these."""
+    weighing = (LASER.n_beams, LASER.sigma_hit_m, LASER.z_random, LASER.max_distance_m, LASER.max_range_m, LASER.temper)
+    assert weighing == (60, 0.05, 0.98, 2.0, 20.0, 0.2)
+    assert (LASER.weigh_every_m, LASER.weigh_every_theta, LASER.lam, LASER.particle_limits) == (0, 0, 0, (4500, 4500))
+
+
 def test_map_from_truth_shows_the_walls_where_they_are(hall):
     obstacles, log = hall
     shifted, grid = into_map_frame(log, 20.0)
