@@ -1,7 +1,8 @@
 """Pieces of wall, each with a confidence: what supports it, in numbers from 0 to 1.
 
-A piece is a straight stretch between junctions. It is trusted when the hypotheses agree on it, when it is longer than thick,
-when it is part of the building's network, and when a door stands at its end.
+A piece is a straight stretch between junctions, or a window. It is trusted when the hypotheses agree on it, when it is as thick
+as many walls of the plan are, and when it is long. Whether a door stands at its end, or how much of the plan it hangs together
+with, tells nothing more: furniture stands along walls and beside doors.
 """
 
 from __future__ import annotations
@@ -14,19 +15,18 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.drawing import Door
 from priorlab.drawing.runs import run_lengths
-from priorlab.drawing.strokes import common_thickness
+from priorlab.drawing.strokes import common_thickness, thinner_run
 from priorlab.drawing.weight import Hypothesis
 
-AT_JAMB = 0.3
-"""A jamb within so many door widths supports a piece."""
+SAME = 0.1
+"""Thicknesses so near to each other, as a share, are one; and those within a pixel."""
 
-LONG_ENOUGH = 6.0
-"""A piece so many times longer than thick has all the support that length gives."""
+LONG = 0.125
+"""A piece as long as this share of the building has all the support that length gives: about three doors."""
 
-SHARES = (0.6, 0.2, 0.2)
-"""What agreement, length and network weigh; a door then halves the doubt that is left."""
+SHARES = (0.5, 0.3, 0.2)
+"""What agreement, thickness and length weigh: round numbers, the better witness first."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,9 +39,8 @@ class WallPiece:
     mask : (height, width) bool within the box
     confidence : 0 to 1
     agreement : share of the hypotheses, weighed by their worth, that see it
-    slenderness : its length in thicknesses over `LONG_ENOUGH`, at most 1
-    network : share of all walls that it is joined to, doors and windows bridged
-    at_door : a door stands at its end
+    commonness : area of all walls that are as thick as it, over that of the commonest thickness
+    length : its length over `LONG` of the building's, at most 1
     kind : "wall", or "window"
     """
 
@@ -49,9 +48,8 @@ class WallPiece:
     mask: NDArray[np.bool_]
     confidence: float
     agreement: float
-    slenderness: float
-    network: float
-    at_door: bool
+    commonness: float
+    length: float
     kind: Literal["wall", "window"] = "wall"
 
 
@@ -59,7 +57,6 @@ def wall_pieces(
     walls: NDArray[np.bool_],
     hypotheses: Sequence[Hypothesis],
     worths: Sequence[float],
-    doors: Sequence[Door],
     windows: NDArray[np.bool_] | None = None,
 ) -> tuple[WallPiece, ...]:
     """The pieces of walls, in reading order of their boxes' corners as `connectedComponents` gives them.
@@ -69,7 +66,6 @@ def wall_pieces(
     walls : (height, width) bool
     hypotheses : what may be wall, in the same pixels
     worths : trust in each of them, at least 0
-    doors : in the same pixels
     windows : (height, width) bool, boxes of windows: the walls in each are a piece of their own
     """
     if not walls.any():
@@ -81,28 +77,43 @@ def wall_pieces(
     for hypothesis, worth in zip(hypotheses, worths, strict=True):
         agreement += worth * np.bincount(labels[hypothesis.walls & walls], minlength=n_pieces) / np.maximum(area, 1)
     agreement /= max(float(sum(worths)), 1e-9)
-    across, down = run_lengths(walls, 1)[walls], run_lengths(walls, 0)[walls]
-    thickness = np.bincount(inside, np.minimum(across, down), minlength=n_pieces) / np.maximum(area, 1)
-    slender = np.minimum(area / np.maximum(thickness, 1) ** 2 / LONG_ENOUGH, 1)
-    network = _network(walls, labels, area, doors)
-    at_door = _at_jambs(labels, n_pieces, doors)
-    confidence = np.column_stack([agreement, slender, network]) @ SHARES
-    confidence = np.where(at_door, 1 - (1 - confidence) / 2, confidence)
     boxes = _boxes(labels, n_pieces)
+    thin = thinner_run(walls)
+    thickness = [
+        float(min(box[2:]) if k >= first_window else np.median(_cut(thin, box)[_cut(labels, box) == k])) if area[k] else 0.0
+        for k, box in enumerate(boxes)
+    ]
+    common = _commonness(thin[walls & (labels < first_window)], np.array(thickness))
+    extent = max(int(np.ptp(where)) + 1 for where in np.nonzero(walls))
+    long = np.minimum([max(box[2:]) / (LONG * extent) for box in boxes], 1)
+    confidence = np.column_stack([agreement, common, long]) @ SHARES
     return tuple(
         WallPiece(
             box=boxes[k],
             mask=_cut(labels, boxes[k]) == k,
             confidence=float(np.clip(confidence[k], 0, 1)),
             agreement=float(agreement[k]),
-            slenderness=float(slender[k]),
-            network=float(network[k]),
-            at_door=bool(at_door[k]),
+            commonness=float(common[k]),
+            length=float(long[k]),
             kind="window" if k >= first_window else "wall",
         )
         for k in range(1, n_pieces)
         if area[k]
     )
+
+
+def _commonness(of_walls: NDArray[np.int32], thickness: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How much wall is as thick as each piece, over how much is as thick as the commonest."""
+    if not of_walls.size:
+        return np.zeros_like(thickness)
+    up_to = np.cumsum(np.bincount(of_walls, minlength=int(thickness.max()) + 2))
+
+    def as_thick(at: NDArray[np.float64]) -> NDArray[np.float64]:
+        slack = np.maximum(1.0, SAME * at)
+        low, high = (np.clip(ends, 0, len(up_to) - 1).astype(int) for ends in (np.ceil(at - slack) - 1, np.floor(at + slack)))
+        return (up_to[high] - up_to[low]).astype(np.float64)
+
+    return as_thick(thickness) / as_thick(np.unique(of_walls).astype(np.float64)).max()
 
 
 def _split(walls: NDArray[np.bool_], windows: NDArray[np.bool_]) -> tuple[NDArray[np.int32], int, int]:
@@ -123,31 +134,6 @@ def _split(walls: NDArray[np.bool_], windows: NDArray[np.bool_]) -> tuple[NDArra
     labels = np.where(second > 0, second + n_level - 1, first)
     labels = np.where(walls & windows, third + n_level + n_upright - 2, labels)
     return labels.astype(np.int32), n_level + n_upright + n_windows - 2, n_level + n_upright - 1
-
-
-def _network(
-    walls: NDArray[np.bool_], labels: NDArray[np.int32], area: NDArray[np.float64], doors: Sequence[Door]
-) -> NDArray[np.float64]:
-    """For every piece: the share of all walls that lies in its network, where doors and gaps of a few pixels are bridged."""
-    joined = cv2.dilate(walls.astype(np.uint8), np.ones((7, 7), np.uint8))
-    for door in doors:
-        start, end = (tuple(int(round(c)) for c in jamb) for jamb in (door.hinge, door.strike))
-        cv2.line(joined, start, end, 1, 7)
-    n_nets, nets = cv2.connectedComponents(joined, connectivity=8)
-    size = np.bincount(nets[walls], minlength=n_nets) / walls.sum()
-    total = np.bincount(labels[walls], size[nets[walls]], minlength=len(area))
-    return np.asarray(total / np.maximum(area, 1))
-
-
-def _at_jambs(labels: NDArray[np.int32], n_pieces: int, doors: Sequence[Door]) -> NDArray[np.bool_]:
-    """Which pieces have a jamb near them."""
-    found = np.zeros(n_pieces, dtype=bool)
-    for door in doors:
-        reach = max(2, round(AT_JAMB * door.width / 2))
-        for x, y in np.rint([door.hinge, door.strike]).astype(int):
-            found[labels[max(0, y - reach) : y + reach + 1, max(0, x - reach) : x + reach + 1]] = True
-    found[0] = False
-    return found
 
 
 def _boxes(labels: NDArray[np.int32], n_pieces: int) -> list[tuple[int, int, int, int]]:

@@ -141,7 +141,7 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         hypotheses=as_input,
         chosen=chosen,
         walls=found,
-        pieces=wall_pieces(found, as_input, worths, doors, windows),
+        pieces=wall_pieces(found, as_input, worths, windows),
         windows=windows,
     )
 

@@ -4,7 +4,7 @@ import cv2
 import numpy as np
 import pytest
 
-from priorlab.core.drawing import Door, Drawing
+from priorlab.core.drawing import Drawing
 from priorlab.drawing.extraction import extract_walls
 from priorlab.drawing.joined import inside_of, with_heavy_ink, without_thin_outside
 from priorlab.drawing.long_cells import long_cells
@@ -196,31 +196,51 @@ def test_wall_pieces_trust_what_hypotheses_share():
     walls[10:18, 10:290], walls[60:68, 100:140] = True, True
     sure, doubtful = walls.copy(), walls.copy()
     sure[50:] = False
-    pieces = wall_pieces(walls, [Hypothesis("a", sure, 1.0), Hypothesis("b", doubtful, 0.2)], [1.0, 0.2], ())
+    pieces = wall_pieces(walls, [Hypothesis("a", sure, 1.0), Hypothesis("b", doubtful, 0.2)], [1.0, 0.2])
     upper, lower = sorted(pieces, key=lambda piece: piece.box[1])
     assert upper.box == (10, 10, 280, 8) and upper.mask.all()
-    assert upper.confidence > 0.8 > 0.4 > lower.confidence > 0
     assert upper.agreement == pytest.approx(1) and lower.agreement == pytest.approx(1 / 6)
+    assert upper.confidence > lower.confidence > 0
 
 
-def test_wall_pieces_are_trusted_more_beside_a_door():
-    walls = np.zeros((60, 200), dtype=bool)
-    walls[20:28, 10:80] = walls[20:28, 120:190] = True
-    seen = [Hypothesis("half", walls & (np.arange(200) < 40), 1.0)]
-    alone = wall_pieces(walls, seen, [1.0], ())
-    beside = wall_pieces(walls, seen, [1.0], [Door((80, 24), (120, 24), (80, 64))])
-    assert [piece.at_door for piece in beside] == [True, True]
-    assert all(b.confidence > a.confidence for a, b in zip(alone, beside, strict=True))
-    assert beside[0].network == pytest.approx(1) and alone[0].network == pytest.approx(0.5)
+def test_wall_pieces_doubt_a_thickness_that_no_wall_has():
+    walls = np.zeros((400, 400), dtype=bool)
+    walls[10:30, 10:390] = walls[10:390, 10:30] = walls[10:390, 370:390] = True  # walls of 20 px
+    walls[200:219, 30:370] = True  # one of 19 px, which is as thick
+    walls[300:304, 30:370] = True  # the front of a cupboard
+    pieces = wall_pieces(walls, [Hypothesis("all", walls, 1.0)], [1.0])
+    wall, front = ([piece for piece in pieces if piece.box[1] == top and piece.box[2] > 300][0] for top in (200, 300))
+    assert wall.commonness == pytest.approx(1) and front.commonness < 0.1
+    assert front.confidence < 0.75 < wall.confidence
+
+
+def test_wall_pieces_doubt_a_short_one():
+    walls = np.zeros((100, 400), dtype=bool)
+    walls[10:18, 10:390] = walls[60:68, 100:120] = True
+    long, short = sorted(wall_pieces(walls, [Hypothesis("all", walls, 1.0)], [1.0]), key=lambda piece: piece.box[1])
+    assert (long.length, short.length) == (1.0, pytest.approx(20 / (380 / 8)))
+    assert short.confidence < long.confidence == pytest.approx(1)
+
+
+def test_wall_pieces_window_is_as_thick_as_its_wall():
+    walls = np.zeros((60, 400), dtype=bool)
+    walls[20:32, 10:390] = True
+    windows = np.zeros_like(walls)
+    windows[20:32, 150:230] = True
+    walls[22:30, 150:230] = False
+    pieces = wall_pieces(walls, [Hypothesis("all", walls, 1.0)], [1.0], windows)
+    assert [piece.kind for piece in pieces] == ["wall", "wall", "window"]
+    assert pieces[2].box == (150, 20, 80, 12) and pieces[2].mask.sum() == 4 * 80
+    assert pieces[2].commonness == pytest.approx(1)
 
 
 def test_wall_pieces_split_at_a_corner():
     walls = np.zeros((100, 100), dtype=bool)
     walls[10:16, 10:90] = walls[10:90, 10:16] = True
-    pieces = wall_pieces(walls, [Hypothesis("all", walls, 1.0)], [1.0], ())
+    pieces = wall_pieces(walls, [Hypothesis("all", walls, 1.0)], [1.0])
     assert len(pieces) == 2
     assert sum(int(piece.mask.sum()) for piece in pieces) == walls.sum()
-    assert wall_pieces(walls & False, [], [], ()) == ()
+    assert wall_pieces(walls & False, [], []) == ()
 
 
 def test_detect_walls_thesis_finds_none_without_doors():
