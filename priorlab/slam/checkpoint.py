@@ -26,13 +26,11 @@ from priorlab.core.files import check_free, write_file
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
 from priorlab.slam.fastslam import FastSLAM
-from priorlab.slam.map_update import see_cells, update_seen
 from priorlab.slam.parameters import Parameters
 from priorlab.slam.particles import Particles
 from priorlab.slam.record_file import append_record, pack_record, whole_records
 from priorlab.slam.recording import Recorder, Run
 from priorlab.slam.run_inputs import UNREADABLE, arrays_of, inputs_as_arrays, inputs_from_arrays
-from priorlab.slam.scan import choose_beams
 from priorlab.slam.state import State
 
 EVERY = 50
@@ -187,18 +185,14 @@ def _restored(fast_slam: FastSLAM, prior_map: GridMap, log: RobotLog, generator:
         recorder.samples += np.split(new["samples"], np.cumsum(new["sample_sizes"])[:-1]) if len(new["poses"]) else []
     rng = np.random.Generator(getattr(np.random, generator)(0))
     state = fast_slam.start(prior_map, log, rng)
-    _redraw(state, recorder, fast_slam.parameters)
+    _redraw(state, recorder, fast_slam)
     state.particles = Particles(news[-1]["particles"], news[-1]["log_weights"])
     rng.bit_generator.state = json.loads(str(news[-1]["generator"]))
     return state
 
 
-def _redraw(state: State, recorder: Recorder, parameters: Parameters) -> None:
-    """Put the recorded steps into the map of a state that stands at the start, and the map into its field."""
+def _redraw(state: State, recorder: Recorder, fast_slam: FastSLAM) -> None:
+    """Put the recorded steps into the maps of a state that stands at the start."""
     for k, pose in enumerate(recorder.poses):
-        seen = see_cells(state.prior_map.grid, pose, choose_beams(state.log, k, parameters), parameters)
-        update_seen(state.log_odds, state.prior_map.log_odds, seen, parameters)
-    if parameters.localize_in == "updated":
-        rows, cols = state.log_odds.shape
-        state.field.refresh(state.log_odds, slice(0, rows), slice(0, cols))
+        fast_slam.map_scan(state, k, pose)
     state.recorder, state.step = recorder, len(recorder.poses)

@@ -7,6 +7,7 @@ from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from priorlab.core.checks import check_rng
 from priorlab.core.grid_map import GridMap
@@ -14,9 +15,10 @@ from priorlab.core.readings import RobotLog
 from priorlab.core.shipped import nearest_name
 from priorlab.mapping.overruled import warn_when_overruled
 from priorlab.slam.estimate import estimate_pose
+from priorlab.slam.lagging_field import LaggingField
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.localization import choose, predict, weigh
-from priorlab.slam.map_update import see_cells, update_seen
+from priorlab.slam.map_update import SeenCells, see_cells, update_seen
 from priorlab.slam.measurement import share_explained
 from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.particles import start_particles
@@ -93,10 +95,23 @@ class FastSLAM:
         _check_start(plan, prior_map, log)
         warn_when_overruled(prior_map.prior, parameters.p_free, parameters.p_occupied, parameters.lam)
         particles = start_particles(log.start, parameters.particle_limits[1], parameters.start_variances, rng)
-        field = plan.copy() if parameters.localize_in == "updated" else plan
+        growing = LaggingField(plan, prior_map.log_odds, parameters) if parameters.localize_in == "updated" else None
+        steps_m = np.hypot(*np.diff(log.odometry[:, :2], axis=0, prepend=log.odometry[:1, :2]).T)
         weighs = weighing_steps(log, parameters)
-        resamples = weighs & (np.cumsum(weighs) % parameters.resampling_interval == 0)
-        return State(prior_map, log, plan, weighs, resamples, 0, particles, prior_map.log_odds.copy(), field, rng, Recorder())
+        return State(
+            prior_map=prior_map,
+            log=log,
+            plan=plan,
+            way_m=np.cumsum(steps_m),
+            weighs=weighs,
+            resamples=weighs & (np.cumsum(weighs) % parameters.resampling_interval == 0),
+            step=0,
+            particles=particles,
+            log_odds=prior_map.log_odds.copy(),
+            growing=growing,
+            rng=rng,
+            recorder=Recorder(),
+        )
 
     def step(self, state: State) -> Step:
         """One iteration of algorithm 6.1: Localise (algorithm 6.2), UpdateOccupancyGridMap (algorithm 6.5). Moves `state` on.
@@ -114,15 +129,19 @@ class FastSLAM:
         weighed = weigh(moved, scan, state.field) if state.weighs[k] else moved
         pose = estimate_pose(weighed, parameters)
         particles = choose(weighed, state.rng, parameters) if state.resamples[k] else weighed
-        seen = see_cells(state.prior_map.grid, pose, scan, parameters)
-        update_seen(state.log_odds, state.prior_map.log_odds, seen, parameters)
-
-        if parameters.localize_in == "updated":
-            state.field.refresh(state.log_odds, seen.rows, seen.cols)
+        seen = self.map_scan(state, k, pose)
         done = Step(k, scan, moved, weighed, pose, particles, seen)
         state.recorder.add(done, share_explained(pose, scan, state.plan))
         state.step, state.particles = k + 1, particles
         return done
+
+    def map_scan(self, state: State, k: int, pose: NDArray[np.float64]) -> SeenCells:
+        """The second half of step k: algorithm 6.5 from a pose. Whoever restores a state puts its old poses into the map so."""
+        seen = see_cells(state.prior_map.grid, pose, choose_beams(state.log, k, self.parameters), self.parameters)
+        update_seen(state.log_odds, state.prior_map.log_odds, seen, self.parameters)
+        if state.growing:
+            state.growing.add(seen, state.way_m[k])
+        return seen
 
     def finish(self, state: State) -> Run:
         """The record of the steps made so far; of all of them when the state is done."""

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
+from priorlab.slam.lagging_field import LaggingField
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.map_update import SeenCells
 from priorlab.slam.particles import Particles
@@ -23,11 +24,12 @@ class State:
     Parameters
     ----------
     prior_map, log, plan : m_0, the drive and the field of m_0; these never change
+    way_m : (T,) metres that the wheels have told up to a step
     weighs, resamples : (T,) steps whose scan weighs, and after which particles are drawn; the log says it beforehand
     step : number of the next step
     particles : the belief so far
     log_odds : (rows, cols) m_{k-1}; a step writes into it
-    field : the likelihood field that the robot localizes in; a step writes into it when it is that of the growing map
+    growing : the map that the robot localizes in, when it is the growing one; a step adds to it
     rng : for the motion and the draws; `rng.bit_generator.state` is all that there is to remember of it
     recorder : the steps that were made
     """
@@ -35,14 +37,20 @@ class State:
     prior_map: GridMap
     log: RobotLog
     plan: LikelihoodField
+    way_m: NDArray[np.float64]
     weighs: NDArray[np.bool_]
     resamples: NDArray[np.bool_]
     step: int
     particles: Particles
     log_odds: NDArray[np.float64]
-    field: LikelihoodField
+    growing: LaggingField | None
     rng: np.random.Generator
     recorder: Recorder
+
+    @property
+    def field(self) -> LikelihoodField:
+        """The likelihood field that the next scan weighs in: of the plan, or of the map as it grows."""
+        return self.growing.field if self.growing else self.plan
 
     @property
     def done(self) -> bool:

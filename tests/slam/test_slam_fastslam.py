@@ -27,9 +27,9 @@ def first_steps(log, n):
     return RobotLog(log.odometry[:n], log.ranges[:n], log.bearings, log.scanner, log.start, log.truth[:n])
 
 
-@pytest.mark.parametrize("localize_in", ["updated", "static"])
-def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in):
-    log, parameters = first_steps(drive_log, 40), replace(TUNED, localize_in=localize_in)
+@pytest.mark.parametrize(("localize_in", "lag_m"), [("updated", 0.0), ("updated", 0.7), ("static", 3.0)])
+def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in, lag_m):
+    log, parameters = first_steps(drive_log, 40), replace(TUNED, localize_in=localize_in, lag_m=lag_m)
     run = FastSLAM(parameters).run(slam_prior, log, np.random.default_rng(7))
 
     rng = np.random.default_rng(7)
@@ -38,9 +38,13 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in)
     weighs = weighing_steps(log, parameters)
     assert 10 < weighs.sum() < 40
     for k in range(40):
-        # the field is made anew from the whole map in every step: the run only repairs a window of it
-        in_use = GridMap(log_odds_map, slam_prior.grid) if localize_in == "updated" else slam_prior
-        field = LikelihoodField.of(in_use, parameters)
+        # map and field are made anew from all scans in every step: the run only repairs a window of them
+        behind, way = slam_prior.log_odds.copy(), np.hypot(*np.diff(log.odometry[:, :2], axis=0).T)
+        for i in range(k if localize_in == "updated" else 0):
+            if way[i : k - 1].sum() >= lag_m:
+                old = see_cells(slam_prior.grid, run.trajectory[i], choose_beams(log, i, parameters), parameters)
+                update_seen(behind, slam_prior.log_odds, old, parameters)
+        field = LikelihoodField.of(GridMap(behind, slam_prior.grid), parameters)
         scan = choose_beams(log, k, parameters)
         particles = predict(particles, log.odometry[max(k - 1, 0)], log.odometry[k], rng, parameters)
         if weighs[k]:
@@ -86,10 +90,11 @@ def test_state_taken_up_again_goes_on_as_if_nothing_had_happened(slam_prior, dri
         slam.step(first)
 
     again = slam.start(slam_prior, log, np.random.default_rng(99))
-    again.rng.bit_generator.state, again.particles, again.log_odds = kept[0], Particles(kept[1]), kept[2]
+    again.rng.bit_generator.state, again.particles = kept[0], Particles(kept[1])
     again.step = 12
-    if localize_in == "updated":
-        again.field = LikelihoodField.of(again.map, slam.parameters)
+    for k in range(12):
+        slam.map_scan(again, k, whole.trajectory[k])
+    assert np.array_equal(again.log_odds, kept[2])
     while not again.done:
         slam.step(again)
     assert np.array_equal(again.recorder.poses, whole.trajectory[12:])
@@ -98,8 +103,8 @@ def test_state_taken_up_again_goes_on_as_if_nothing_had_happened(slam_prior, dri
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_updated_map_also_shows_the_way(slam_prior, seed, drive_floor):
-    log, broad = drive_floor(seed), replace(TUNED, alphas=(0.01,) * 4, sigma_hit_m=0.2, z_random=0.5, localize_in="updated")
-    run = FastSLAM(broad).run(slam_prior, log, np.random.default_rng(100 + seed))
+    log = drive_floor(seed)
+    run = FastSLAM(localize_in="updated").run(slam_prior, log, np.random.default_rng(100 + seed))
     assert run.ate_m() <= 0.3 and not run.lost
     assert run.ate_m() < 0.6 * absolute_trajectory_error_m(dead_reckoning(log), log.truth)
 
@@ -249,6 +254,7 @@ def test_run_warns_when_the_prior_is_surer_than_the_sensor(floor, drive_log, pri
         ({"thickening_m": -0.1}, "thickening_m must be a finite number of at least 0, got -0.1"),
         ({"weigh_every_m": -0.1}, "weigh_every_m must be a finite number of at least 0, got -0.1"),
         ({"weigh_every_theta": np.nan}, "weigh_every_theta must be a finite number of at least 0, got nan"),
+        ({"lag_m": -1}, "lag_m must be a finite number of at least 0, got -1"),
         ({"n_beams": 0}, "n_beams must be at least 1, got 0"),
         ({"noise": "sd"}, "noise must be one of variance, std, got 'sd'"),
         ({"localize_in": "own"}, "localize_in must be one of updated, static, got 'own'"),
@@ -266,7 +272,7 @@ def test_table_6_1_holds_what_is_printed():
     assert TABLE_6_1.alphas == (0.2,) * 4 and TABLE_6_1.max_range_m == 12 and TABLE_6_1.max_distance_m == 2
     assert TABLE_6_1.n_beams == 60 and TABLE_6_1.sigma_hit_m == 0.2 and TABLE_6_1.z_random == 0.05
     assert (TABLE_6_1.p_free, TABLE_6_1.p_occupied) == (0.8, 0.2)
-    assert TABLE_6_1.weigh_every_m == TABLE_6_1.weigh_every_theta == 0  # "for k = 1 : T_end"
+    assert TABLE_6_1.weigh_every_m == TABLE_6_1.weigh_every_theta == TABLE_6_1.lag_m == 0  # "for k = 1 : T_end"
     assert TABLE_6_1.temper == 1 and TABLE_6_1.rotation_noise == "literal" and TABLE_6_1.noise == "variance"
 
 

@@ -21,13 +21,13 @@ def office():
     return floor, Walls((floor.truth.walls * WALL).astype(np.uint8), floor.metres_per_pixel)
 
 
-@pytest.mark.parametrize("seed", [0, 3])
-def test_tuned_keeps_its_way_through_the_office_floor(office, seed):
+@pytest.mark.parametrize(("seed", "localize_in"), [(0, "static"), (3, "static"), (0, "updated")])
+def test_tuned_keeps_its_way_through_the_office_floor(office, seed, localize_in):
     floor, walls = office
     rng_world, rng_filter = np.random.default_rng(seed).spawn(2)
     slam_prior = build_prior_map(walls, Prior(p_wall=0.3, p_space=0.8), cell_size_m=0.05)
     log = drive(floor.world, floor.tour, KINECT, ODOMETRY, rng_world)
-    run = FastSLAM().run(slam_prior, log, rng_filter)
+    run = FastSLAM(localize_in=localize_in).run(slam_prior, log, rng_filter)
     assert run.ate_m(log) <= 0.3 and not run.lost
     assert run.ate_m(log) < absolute_trajectory_error_m(dead_reckoning(log), log.truth)
 
