@@ -21,6 +21,8 @@ ROOT = Path(__file__).parents[2]
 START, DOORS, WALLS = "00_start_here", "01_doors", "02_walls"
 PRIORS, LOG_ODDS, SWEEP = "03_priors", "04_log_odds", "05_pareto_sweep"
 WORTH, DEPTH = "06_worth_it", "07_depth_camera"
+LOCALIZE = "08_localization"
+FASTSLAM = "09_fastslam"
 CLOSED_FORM = "l_0 + total - lam * looks * l_0"
 MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red first
     "log10 for ln": (LOG_ODDS, "core/log_odds.py", "np.log(p / (1.0 - p))", "np.log10(p / (1.0 - p))", 1),
@@ -86,6 +88,28 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
     "no reading is free": (DEPTH, "robot/strip.py", "image_shape, valid)", "image_shape)", 2),
     "one image three times": (DEPTH, "study/depth_survey.py", "for repeat in range(repeats)]", "for repeat in [0] * repeats]", 4),
     "sensor model ignored": (DEPTH, "study/depth_survey.py", "wall_thickness, p_free, p_occupied)", "wall_thickness)", 5),
+    "variance for deviation": (LOCALIZE, "slam/motion.py", 'if parameters.noise == "variance" else', "if True else", 1),
+    "a wall is near to itself": (LOCALIZE, "slam/likelihood_field.py", "1 - (filled - inner)", "1 - filled", 2),
+    "one over the heaviest": (
+        LOCALIZE,
+        "slam/particles.py",
+        "1.0 / np.square(self.weights).sum()",
+        "1.0 / self.weights.max()",
+        3,
+    ),
+    "the mean of two rooms": (LOCALIZE, "slam/estimate.py", "heaviest = cluster ==", "heaviest = cluster >= 0 *", 4),
+    "weights forgotten": (LOCALIZE, "slam/localization.py", "particles.log_weights + log_weights(", "log_weights(", 5),
+    "squares without their root": (
+        FASTSLAM,
+        "slam/trajectory_error.py",
+        "np.sqrt(np.mean(np.square(position_errors_m(",
+        "(np.mean(np.square(position_errors_m(",
+        1,
+    ),
+    "l0 added in eq. 6.2": (FASTSLAM, "slam/map_update.py", "- parameters.lam * looked", "+ parameters.lam * looked", 2),
+    "a deviation for a variance": (FASTSLAM, "slam/motion.py", 'if parameters.noise == "variance" else', "if True else", 3),
+    "one pen for all": (FASTSLAM, "slam/run_evidence.py", "parameters = parameters or run.parameters", "parameters = run.parameters", 4),
+    "what nobody saw": (FASTSLAM, "study/worth.py", "float(seen[walls].mean())", "float((~seen)[walls].mean())", 5),
 }
 
 
