@@ -31,7 +31,7 @@ from priorlab.study.office_floor import (
 from priorlab.study.worth import gain_percent
 
 COLUMNS = ("", "ATE, m", "heading, deg", "lost", "walls seen", WITH, WITHOUT, COUNTING, ALONE, "gain, %")
-WIDTHS = (0.21, 0.125, 0.085, 0.045, 0.075, 0.125, 0.125, 0.06, 0.06, 0.09)
+WIDTHS = (0.19, 0.125, 0.08, 0.055, 0.075, 0.125, 0.125, 0.06, 0.075, 0.09)
 
 ATE_LIMIT_M = 0.3
 GAIN_LIMIT = 40.0
@@ -107,7 +107,7 @@ def _row(runs: Sequence[FloorRun]) -> list[str]:
     gain = gain_of(runs)
     return [
         ate_of(runs).told(),
-        Confidence.of(run.run.heading_error_deg() for run in runs).told(),
+        f"{Confidence.of(run.run.heading_error_deg() for run in runs).mean:.1f}",
         f"{n_lost(runs)} of {len(runs)}",
         f"{100 * Confidence.of(run.coverage for run in runs).mean:.0f} %",
         f2_of(runs, WITH).told(),

@@ -42,9 +42,9 @@ def way_and_hits(
     ax = draw_map(grid_map, ax, metric=True)
     ax.images[-1].set_alpha(0.35)
     x, y = np.asarray(hits, dtype=np.float64).reshape(-1, 2).T
-    ax.plot(x, y, "x", color=RED, ms=2.2, mew=0.5, label="where beams ended")
+    ax.plot(x, y, "x", color=RED, ms=2.2, mew=0.5, label="hits")
     x, y = np.asarray(way, dtype=np.float64)[:, :2].T
-    ax.plot(x, y, "-", color=BLUE, lw=1.4, label="estimated way")
+    ax.plot(x, y, "-", color=BLUE, lw=1.4, label="way")
     ax.plot(x[0], y[0], "o", color=BLUE, ms=6, label="start")
     ax.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, fontsize=8, frameon=False, markerscale=2)
     if title is not None:
