@@ -178,9 +178,7 @@ def test_run_with_checkpoints_says_what_is_wrong(tmp_path, slam_prior, log):
 def test_run_with_checkpoints_takes_no_maps_that_it_cannot_draw_again(tmp_path, slam_prior, log):
     fast_slam = FastSLAM()
     object.__setattr__(fast_slam.parameters, "localize_in", "elsewhere")
-    with pytest.raises(
-        ValueError, match="localize_in must be updated or static for a drive that can be gone on with, got elsewhere"
-    ):
+    with pytest.raises(ValueError, match="localize_in must be updated or static for a drive .*, got elsewhere"):
         run_with_checkpoints(fast_slam, slam_prior, log, np.random.default_rng(0), tmp_path / "a")
     assert not list(tmp_path.iterdir())
 
