@@ -53,6 +53,9 @@ ALREADY = 0.4
 BEYOND, GOES_ON, SO_FAR = 1.2, 0.7, 0.3
 """Within 1.2 thicknesses beyond each end stands wall across 70 % of the thickness, for at least 30 % of it along the window."""
 
+SAME_THICKNESS = 0.35
+"""A wall in line with a window is not thicker than it by more than this share to one side; one that passes its end is."""
+
 REACHES = (1.0, 0.5)
 """Lines belong together across so many times the thickest wall: furniture may stand nearer to a thin one."""
 
@@ -101,7 +104,7 @@ def _along_x(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes,
             drawn = ink & body
             lines, glazed = _cross_sections(body, drawn, weight)
             joined = glazed | (gaps_between(glazed, max(NARROWEST, round(POST * sizes.thickness)), 1) & body)
-            plain = []
+            across, plain = run_lengths(lines, 0), []
             wall = solid.copy()
             for x, y, width, height in {*_boxes(glazed), *_boxes(joined)}:
                 box = np.s_[y : y + height, x : x + width]
@@ -109,8 +112,9 @@ def _along_x(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes,
                     plain.append((x, y, width, height))
                     wall[box] = False
             for x, y, width, height in plain:
-                if _goes_on(wall, (x, y, width, height)):
-                    found[y : y + height, x : x + width] = True
+                box = np.s_[y : y + height, x : x + width]
+                if _goes_on(wall, (x, y, width, height), in_line=across[box].max() >= weight):
+                    found[box] = True
     return found
 
 
@@ -167,9 +171,16 @@ def _crossed(drawn: NDArray[np.bool_], lines: NDArray[np.bool_]) -> float:
     return float(large[parts].any(axis=0).mean())
 
 
-def _goes_on(wall: NDArray[np.bool_], box: Box) -> bool:
-    """Does wall stand beyond both ends of a box?"""
+def _goes_on(wall: NDArray[np.bool_], box: Box, in_line: bool) -> bool:
+    """Does wall stand beyond both ends of a box? Asked in line: is it at one end at least as thick as the box, or thinner?"""
     x, y, width, height = box
     reach = max(6, round(BEYOND * height))
-    beyond = (wall[y : y + height, max(x - reach, 0) : x], wall[y : y + height, x + width : x + width + reach])
-    return all(side.size and (side.mean(axis=0) >= GOES_ON).sum() >= max(2, SO_FAR * height) for side in beyond)
+    enough, slack = max(2, SO_FAR * height), round(SAME_THICKNESS * height) + 1
+    above, below = max(y - slack, 0), y + height + slack
+    ends, in_lines = [], []
+    for side in (np.s_[max(x - reach, 0) : x], np.s_[x + width : x + width + reach]):
+        stands = wall[y : y + height, side].sum(axis=0) >= GOES_ON * height
+        higher = wall[above:y, side].all(axis=0) | wall[y + height : below, side].all(axis=0)
+        ends.append(stands.sum() >= enough)
+        in_lines.append((stands & ~higher).sum() >= enough)
+    return all(ends) and (any(in_lines) or not in_line)

@@ -87,6 +87,14 @@ def test_find_windows_treads_are_too_many_thicknesses_long():
     assert not find_windows(long[1], long[0], SIZES).any()
 
 
+@pytest.mark.parametrize(("weight", "found"), [(0.0, False), (3.0, True)])
+def test_find_windows_between_the_sides_of_two_walls_only_if_lighter(weight, found):
+    walls = np.zeros((120, 300), dtype=bool)
+    walls[:, 40:52] = walls[:, 140:152] = True  # a shaft, or a corridor's end
+    walls[[50, 55, 63], 52:140] = True
+    assert find_windows(walls, walls, SIZES, weight).any() == found
+
+
 def test_find_windows_post_across_is_part_of_it():
     ink, walls = _glazed("filled", (TOP, 37, LOW))
     ink[TOP : LOW + 1, 198:201] = walls[TOP : LOW + 1, 198:201] = True
