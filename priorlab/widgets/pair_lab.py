@@ -23,6 +23,7 @@ from priorlab.study.added import changes_between, what_was_added
 from priorlab.study.worth import worth_of
 from priorlab.widgets.lab import Lab, table
 from priorlab.widgets.picture import Picture
+from priorlab.widgets.run_lab import coarse
 from priorlab.widgets.sliders import Slider
 
 STEP_M = 0.05
@@ -95,8 +96,9 @@ class PairLab(Lab):
         worth = self.worth
         return (
             f"p_wall {self.p_wall.value:.2f}, p_space {self.p_space.value:.2f}, lam {self.lam.value:.2f}, "
-            f"thickening {self.thickening_m.value:.2f} m, threshold {self.threshold.value:.2f}: F2 {worth.informed.f_beta:.1f} "
-            f"with the plan, {worth.uninformed.f_beta:.1f} without, {worth.alone.f_beta:.1f} the plan alone"
+            f"thickening {self.thickening_m.value:.2f} m, threshold {self.threshold.value:.2f}: F2 at least "
+            f"{coarse(worth.informed.f_beta)} with the plan, {coarse(worth.uninformed.f_beta)} without, "
+            f"{coarse(worth.alone.f_beta)} the plan alone"
         )
 
     def _counted(self, grid_map: GridMap, threshold: float) -> NDArray[np.uint8]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -132,10 +133,10 @@ class RunLab(Lab):
 
     def summary(self) -> str:
         """The step and the numbers that matter, as coarsely as a filter's chance allows."""
-        lost = "LOST, " if self.run.lost else ""
+        off = "LOST" if self.run.lost else f"ATE at most {math.ceil(10 * self.ate_m) / 10:.1f} m"
         return (
-            f"{self.which.value}, step {self.step.value:.0f} of {len(self.run)}: {lost}ATE {self.ate_m:.1f} m, "
-            f"F2 {self.f2[WITH]:.1f} with the plan, {self.f2[WITHOUT]:.1f} without, {self.alone:.1f} the plan alone"
+            f"{self.which.value}, step {self.step.value:.0f} of {len(self.run)}: {off}, F2 at least {coarse(self.f2[WITH])} "
+            f"with the plan, {coarse(self.f2[WITHOUT])} without, {coarse(self.alone)} the plan alone"
         )
 
     # --- controls ------------------------------------------------------------------------------------------------
@@ -228,6 +229,15 @@ class RunLab(Lab):
         for i, (words, colour) in enumerate(names):
             plane.words(end, 0.18 - 0.07 * i, f"{words}\u00a0", "end", f"fill='{colour}'")
         return plane
+
+
+def coarse(f2: float) -> str:
+    """A score cut to one decimal: what a filter's chance leaves of it.
+
+    >>> coarse(0.77), coarse(0.3)
+    ('0.7', '0.3')
+    """
+    return f"{math.floor(10 * f2 + 1e-9) / 10:.1f}"
 
 
 def _look_through(run: Run, truth: Truth) -> _Recorded:
