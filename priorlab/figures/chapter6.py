@@ -140,7 +140,7 @@ def _over_time(runs: Sequence[FloorRun], ax: Axes, letter: str) -> None:
 
 def _bars(groups: dict[str, Sequence[FloorRun]], ax: Axes) -> None:
     """Four maps for each group."""
-    bars = {name: np.array([f2_of(runs, name).row for runs in groups.values()]) for name in (WITH, WITHOUT, COUNTING, ALONE)}
+    bars = {name: np.array([f2_of(runs, name).row for runs in groups.values()]) for name in MAPS}
     plot.interval_bars(list(groups), bars, ax, None, f"F2 at {AT}: mean and 95 % interval")
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from priorlab.core.building import FloorPlan
+from priorlab.core.grid_map import GridMap
 from priorlab.core.score import score_walls
 from priorlab.figures.figure import Entry, Outcome, sheet, verdict_of
 from priorlab.figures.floor_case import (
@@ -79,7 +79,7 @@ def _start(rng: np.random.Generator) -> Outcome:
     )
 
 
-def _is_free(plan: Any, pose: NDArray[np.float64]) -> bool:
+def _is_free(plan: GridMap, pose: NDArray[np.float64]) -> bool:
     """No wall of a map where a pose stands."""
     row, col = plan.grid.xy_to_cell(plan.grid.metres_to_xy(pose[:2]))
     return not plan.detected(0.5)[row, col]

@@ -7,6 +7,7 @@ from dataclasses import fields, replace
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from priorlab import plot
 from priorlab.figures.figure import Entry, Outcome, sheet, verdict_of
@@ -97,7 +98,7 @@ def _value(parameters: Parameters, name: str) -> str:
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
-def _draw_ways(printed: FloorRun, tuned: FloorRun, ax: Any) -> None:
+def _draw_ways(printed: FloorRun, tuned: FloorRun, ax: Axes) -> None:
     """The estimates of one drive."""
     left, right, bottom, top = window_of(tuned.floor.truth)
     floor_map(tuned.run.prior_map, (left, right, bottom, top), ax, f"seed {tuned.seed}, {len(tuned.run)} steps")
