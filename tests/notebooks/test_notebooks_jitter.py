@@ -35,7 +35,10 @@ def strict(stem, folder):
     )
 
 
-@pytest.mark.parametrize(("stem", "size", "code"), [("08_localization", 1e-12, 0), ("08_localization", 1e-2, 1)])
+JITTERS = [("08_localization", 1e-12, 0), ("08_localization", 1e-2, 1), ("09_fastslam", 1e-12, 0)]
+
+
+@pytest.mark.parametrize(("stem", "size", "code"), JITTERS)
 def test_notebook_survives_a_jitter_of_the_weights(stem, size, code, tmp_path):
     shutil.copytree(ROOT / "priorlab", tmp_path / "priorlab", ignore=shutil.ignore_patterns("__pycache__"))
     (tmp_path / "data").symlink_to(ROOT / "data")
