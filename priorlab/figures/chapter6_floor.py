@@ -152,7 +152,7 @@ def _way(condition: FloorCondition, rng: np.random.Generator) -> Outcome:
             label=f"seed {run.seed}: ATE {run.ate_m:.2f} m",
         )
     axes[1].axhline(ATE_LIMIT_M, color="black", ls=":", lw=1)
-    axes[1].text(100, ATE_LIMIT_M, f"ATE to reach: {ATE_LIMIT_M:g} m", ha="right", va="bottom", fontsize=8)
+    axes[1].text(1, ATE_LIMIT_M, f"ATE to reach: {ATE_LIMIT_M:g} m", va="bottom", fontsize=8)
     axes[1].set(xlim=(0, 100), ylim=(0, None))
     axes[1].legend(fontsize=8, ncols=5, loc="lower center", bbox_to_anchor=(0.5, 1.0), frameon=False)
     finish(axes[1], None, "share of the drive, %", "distance to the truth, m")
