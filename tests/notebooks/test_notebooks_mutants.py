@@ -108,7 +108,13 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
     ),
     "l0 added in eq. 6.2": (FASTSLAM, "slam/map_update.py", "- parameters.lam * looked", "+ parameters.lam * looked", 2),
     "a deviation for a variance": (FASTSLAM, "slam/motion.py", 'if parameters.noise == "variance" else', "if True else", 3),
-    "one pen for all": (FASTSLAM, "slam/run_evidence.py", "parameters = parameters or run.parameters", "parameters = run.parameters", 4),
+    "one pen for all": (
+        FASTSLAM,
+        "slam/run_evidence.py",
+        "parameters = parameters or run.parameters",
+        "parameters = run.parameters",
+        4,
+    ),
     "what nobody saw": (FASTSLAM, "study/worth.py", "float(seen[walls].mean())", "float((~seen)[walls].mean())", 5),
 }
 
