@@ -76,7 +76,8 @@ class GrowingMap:
         ends = scan.points @ np.array([[cos, sin], [-sin, cos]]) + [x, y]
         self._make_room(np.vstack([pose[:2], ends]))
         seen = see_cells(self.field.grid, self.into(pose), scan, self.parameters)
-        update_seen(self.log_odds, np.zeros_like(self.log_odds), seen, self.parameters)
+        nothing_known = np.broadcast_to(0.0, self.log_odds.shape)  # takes no memory
+        update_seen(self.log_odds, nothing_known, seen, self.parameters)
         self.field.refresh(self.log_odds, seen.rows, seen.cols)
 
     def _make_room(self, xy: NDArray[np.float64]) -> None:
