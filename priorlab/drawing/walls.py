@@ -223,7 +223,7 @@ def windows_of(sheet: Sheet, walls: NDArray[np.bool_], best: Hypothesis, sizes: 
     """Boxes of the windows; where a hue tells the walls, their lines have another one."""
     if best.hue is None:
         return find_windows(walls, sheet.walls, sizes, best.weight)
-    return find_windows(walls, sheet.walls & ~of_hue(sheet.hue, best.hue), sizes, np.inf)
+    return find_windows(walls, sheet.walls & ~of_hue(sheet.hue, best.hue), sizes, np.inf, fewest=3)
 
 
 def as_walls(drawing: Drawing, mask: NDArray[np.bool_], windows: NDArray[np.bool_] | None = None) -> Walls:

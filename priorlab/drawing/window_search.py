@@ -60,7 +60,9 @@ REACHES = (1.0, 0.5)
 """Lines belong together across so many times the thickest wall: furniture may stand nearer to a thin one."""
 
 
-def find_windows(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes, weight: float = 0.0) -> NDArray[np.bool_]:
+def find_windows(
+    walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes, weight: float = 0.0, fewest: int = 2
+) -> NDArray[np.bool_]:
     """The windows of walls, from face to face, along both axes and along the walls of wings.
 
     Parameters
@@ -69,6 +71,7 @@ def find_windows(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSi
     ink : (height, width) bool, all ink that may belong to a window
     sizes : of walls on this sheet
     weight : least weight of the lines that walls are drawn with, pixels; 0 where weight does not tell
+    fewest : so many lines make a window when they are lighter than this; else three
 
     Returns
     -------
@@ -81,20 +84,22 @@ def find_windows(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSi
     >>> found[8:16, 40:80].all(), found[:, :38].any(), find_windows(walls, walls, WallSizes(400, 10)).any()
     (np.True_, np.False_, np.False_)
     """
-    found = _along_axes(walls, ink, sizes, weight)
+    found = _along_axes(walls, ink, sizes, weight, fewest)
     for angle in wing_angles(walls):
         turn = turn_by(-angle, walls.shape)
         turned, turned_ink = (turn.image(255 * (1 - mask.astype(np.uint8))) < 128 for mask in (walls, ink))
-        found |= turn.mask_back(_along_axes(turned, turned_ink, sizes, weight))
+        found |= turn.mask_back(_along_axes(turned, turned_ink, sizes, weight, fewest))
     return found
 
 
-def _along_axes(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes, weight: float) -> NDArray[np.bool_]:
+def _along_axes(
+    walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes, weight: float, fewest: int
+) -> NDArray[np.bool_]:
     """Windows of walls that run along x, and along y."""
-    return _along_x(walls, ink, sizes, weight) | _along_x(walls.T, ink.T, sizes, weight).T
+    return _along_x(walls, ink, sizes, weight, fewest) | _along_x(walls.T, ink.T, sizes, weight, fewest).T
 
 
-def _along_x(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes, weight: float) -> NDArray[np.bool_]:
+def _along_x(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes, weight: float, fewest: int) -> NDArray[np.bool_]:
     """Windows of walls that run along x: among what was found, and where lines of the drawing go on between two walls."""
     found = np.zeros_like(walls)
     with_lines = walls | long_runs(ink, sizes.face_length, 1)
@@ -102,7 +107,7 @@ def _along_x(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes,
         solid = walls | gaps_between(walls, reach * sizes.thickness, 0)
         for is_new, body in ((False, solid), (True, with_lines | gaps_between(with_lines, reach * sizes.thickness, 0))):
             drawn = ink & body
-            lines, glazed = _cross_sections(body, drawn, weight)
+            lines, glazed = _cross_sections(body, drawn, weight, fewest)
             joined = glazed | (gaps_between(glazed, max(NARROWEST, round(POST * sizes.thickness)), 1) & body)
             across, plain = run_lengths(lines, 0), []
             wall = solid.copy()
@@ -119,7 +124,7 @@ def _along_x(walls: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes,
 
 
 def _cross_sections(
-    body: NDArray[np.bool_], drawn: NDArray[np.bool_], weight: float
+    body: NDArray[np.bool_], drawn: NDArray[np.bool_], weight: float, fewest: int
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Thin lines along x in a body, and those of its columns that are lines with white between, from face to face."""
     sections = label_runs(body, 0)
@@ -143,7 +148,7 @@ def _cross_sections(
     rows, cols = np.nonzero(body)
     np.minimum.at(top, sections[rows, cols], rows)
     near = np.maximum(1, AT_FACE * size)
-    take = (count >= np.where(heaviest < weight, 2, 3)) & (inked <= INKED * size)
+    take = (count >= np.where(heaviest < weight, fewest, 3)) & (inked <= INKED * size)
     take &= (low - top <= near) & (top + size - 1 - high <= near) & (size >= NARROWEST)
     take[0] = False
     return lines, take[sections]

@@ -64,6 +64,14 @@ def test_find_windows_two_lines_are_one_only_if_lighter_than_walls():
     assert find_windows(walls, ink, SIZES, weight=4)[TOP : LOW + 1, GAP].all()
 
 
+@pytest.mark.parametrize(("rows", "found"), [((TOP, LOW), False), ((TOP, 37, LOW), True)])
+def test_find_windows_of_another_hue_have_three_lines(rows, found):
+    ink, walls = _wall("filled")
+    lines = np.zeros_like(ink)
+    lines[list(rows), GAP] = True  # two lines of another hue are a partition of another kind
+    assert find_windows(walls | lines, lines, SIZES, np.inf, fewest=3).any() == found
+
+
 def test_find_windows_none_in_walls_without():
     for style in ("filled", "hollow", "hatched"):
         ink, walls = _wall(style)
