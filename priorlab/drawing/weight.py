@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -36,6 +37,9 @@ SLENDER = 6.0
 
 STRAIGHT_CELLS = "long cells of straight lines"
 """Name of the hypothesis that takes what lies between straight lines of any weight."""
+
+OWN_HUE = 0.35
+"""So much of the white inside a wall, at least, lies nearer to lines of its hue: half of it where furniture covers one face."""
 
 HUE_BINS = 12
 """Hues that are told apart, each 15 of OpenCV's 180 wide."""
@@ -95,6 +99,7 @@ def weight_hypotheses(
         coloured = ink & of_hue(sheet.hue, hue)
         walls, solid = walls_between(coloured, coloured, cells, sizes)
         walls = walls if solid else walls | tidy(loose.walls(outlines & of_hue(sheet.hue, hue)), sizes)
+        walls = of_own_hue(walls, coloured, outlines & (sheet.hue != NO_HUE) & ~of_hue(sheet.hue, hue), sizes)
         found.append(replace(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, sizes, solid), hue=hue))
     return tuple(found)
 
@@ -160,6 +165,23 @@ def _hues(sheet: Sheet, ink: NDArray[np.bool_]) -> list[int]:
         return []
     counts = np.bincount(coloured.astype(int) * HUE_BINS // 180, minlength=HUE_BINS)
     return [int(k) for k in np.flatnonzero(counts >= 0.05 * hues.size)]
+
+
+def of_own_hue(walls: NDArray[np.bool_], own: NDArray[np.bool_], other: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
+    """Walls without the parts that lie nearer to lines of other hues: insides flow into each other where no line parts them.
+
+    >>> walls, own, other = np.zeros((3, 20, 60), dtype=bool); walls[5:12] = True
+    >>> own[[5, 11], :30] = other[[5, 11], 30:] = True
+    >>> kept = of_own_hue(walls, own, other, WallSizes(300, 8)); kept[8, [5, 20, 40, 55]].tolist()
+    [True, True, False, False]
+    """
+    if not own.any() or not other.any():
+        return walls
+    to_own, to_other = (cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_C, 3) for mask in (own, other))
+    side = int(sizes.thickness) | 1
+    inside = walls & ~own & ~other
+    nearer = cv2.blur((inside & (to_own <= to_other)).astype(np.float32), (side, side))
+    return walls & (nearer >= OWN_HUE * cv2.blur(inside.astype(np.float32), (side, side)))
 
 
 def of_hue(hue: NDArray[np.uint8], which: int) -> NDArray[np.bool_]:

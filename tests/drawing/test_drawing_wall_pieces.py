@@ -12,7 +12,7 @@ from priorlab.drawing.method import THESIS
 from priorlab.drawing.pieces import wall_pieces
 from priorlab.drawing.wall_sizes import WallSizes
 from priorlab.drawing.walls import choose, detect_walls
-from priorlab.drawing.weight import Hypothesis, slenderness
+from priorlab.drawing.weight import Hypothesis, of_own_hue, slenderness
 from priorlab.drawing.windows import window_bridges, window_panes
 
 SIZES = WallSizes(600, 14)
@@ -64,6 +64,18 @@ def test_long_cells_of_other_faces_are_left():
     walls = long_cells(ink, SIZES)[0].walls(faces)
     assert walls[55, 100:400].all()
     assert not walls[100:].any()
+
+
+def test_of_own_hue_parts_a_shaft_from_its_wall_and_forgives_one_covered_face():
+    walls, own, other = np.zeros((3, 160, 300), dtype=bool)
+    walls[20:30, 10:290] = walls[30:150, 100:110] = True  # a wall, and the side of a shaft that its inside flows into
+    own[[20, 29], 10:290] = True
+    own[29, 101:109] = False
+    other[30:150, [100, 109]] = True
+    other[29, 200:280], own[29, 200:280] = True, False  # furniture drawn over its lower face
+    kept = of_own_hue(walls, own, other, WallSizes(600, 14))
+    assert kept[20:30, 10:95].all() and kept[20:30, 115:290].all()
+    assert not kept[50:].any()
 
 
 def test_window_panes_go_and_a_hollow_wall_stays():
