@@ -133,7 +133,7 @@ class RunLab(Lab):
 
     def summary(self) -> str:
         """The step and the numbers that matter, as coarsely as a filter's chance allows."""
-        off = "LOST" if self.run.lost else f"ATE at most {math.ceil(10 * self.ate_m) / 10:.1f} m"
+        off = "LOST" if self.run.lost else f"ATE at most {math.ceil(self.ate_m / 0.25) * 0.25:.2f} m"
         return (
             f"{self.which.value}, step {self.step.value:.0f} of {len(self.run)}: {off}, F2 at least {coarse(self.f2[WITH])} "
             f"with the plan, {coarse(self.f2[WITHOUT])} without, {coarse(self.alone)} the plan alone"

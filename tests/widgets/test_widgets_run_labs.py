@@ -138,9 +138,9 @@ def test_run_lab_says_that_a_robot_is_lost_and_no_gain(run, rooms):
 
 
 def test_run_lab_line_is_cut_so_that_chance_does_not_show(lab):
-    said = [float(number) for number in re.findall(r"\d\.\d", repr(lab))]
+    said = [float(number) for number in re.findall(r"\d\.\d+", repr(lab))]
     exact = [lab.ate_m, lab.f2["with the plan"], lab.f2["without"], lab.alone]
-    assert 0 <= said[0] - exact[0] < 0.1 and all(0 <= one - cut < 0.1 for cut, one in zip(said[1:], exact[1:], strict=True))
+    assert 0 <= said[0] - exact[0] < 0.25 and all(0 <= one - cut < 0.1 for cut, one in zip(said[1:], exact[1:], strict=True))
 
 
 def test_run_lab_without_runs_is_told(rooms):
