@@ -310,10 +310,11 @@ def _figures(arguments: argparse.Namespace) -> int:
     from priorlab.figures.writing import write_figures
 
     if arguments.list or not arguments.name:
+        width = max(map(len, [*FIGURES, *NOT_COMPUTABLE])) + 2
         for name, entry in FIGURES.items():
-            print(f"{name:<16}{entry.title}")
+            print(f"{name:<{width}}{entry.title}")
         for name, shows in NOT_COMPUTABLE.items():
-            print(f"{name:<16}cannot be computed: {shows}")
+            print(f"{name:<{width}}cannot be computed: {shows}")
         return GOOD
     chosen = list(FIGURES.values()) if arguments.name == "all" else [figure_named(arguments.name)]
     for line in write_figures(chosen, arguments.out, arguments.seed, arguments.force):
