@@ -16,7 +16,7 @@ from priorlab.drawing.method import Method
 from priorlab.drawing.outer_walls import extreme_corners
 from priorlab.drawing.overlap import dark_share, overlap_with_kept
 from priorlab.drawing.preprocessing import Sheet
-from priorlab.drawing.symbol import WORTH, Symbols, is_box, read_symbols
+from priorlab.drawing.symbol import WORTH, Symbols, ink_beside, is_box, read_symbols
 
 SURE_SUPPORT = 0.97
 """Share of wall ink beyond both jambs of a door without an arc."""
@@ -29,6 +29,9 @@ PAIR_INK = 2.5
 
 SURE_EQUAL = 0.87
 """Shorter over longer of leaf and opening, of a leaf on its own."""
+
+ALONE = 0.3
+"""Share of ink along either side of a leaf on its own that it stays below."""
 
 SURE_OPEN = 0.1
 """Share of ink that the open side of a door without an arc stays below."""
@@ -191,7 +194,14 @@ def symbol(some: Shortlist) -> tuple[Measure, ...]:
     boxed = np.zeros(len(some))
     worth = np.flatnonzero(~seen.has_arc & (passed(measures) | some.scene.thorough))
     boxed[worth] = is_box(some.scene.widened, seen[worth])
-    return (*measures, Measure("lines that make it a box", boxed, None, 0))
+    beside = np.zeros(len(some))
+    lone = np.flatnonzero(alone & (passed(measures) | some.scene.thorough))
+    beside[lone] = ink_beside(some.scene.widened, seen[lone])
+    return (
+        *measures,
+        Measure("lines that make it a box", boxed, None, 0),
+        Measure("ink beside a leaf on its own", beside, None, ALONE),
+    )
 
 
 def open_side(some: Shortlist) -> tuple[Measure, ...]:

@@ -17,6 +17,9 @@ from priorlab.drawing.wall_sizes import WallSizes
 SOLID_SHARE = 0.75
 """Walls are drawn solid when heavy strokes alone make up so much of them; then gaps are closets and windows, no walls."""
 
+PAIRED = 0.25
+"""Walls are drawn solid, too, when the gaps between their strokes are no larger than this share of the strokes."""
+
 CELL_COVERED = 0.4
 """A thin cell is wall when so much of it is."""
 
@@ -67,17 +70,19 @@ def walls_between(
     """
     length, thickness = sizes.face_length, sizes.thickness
     face_width = int(np.median(thinner_run(faces)[faces])) if faces.any() else 0
-    strokes, between = np.zeros_like(faces), np.zeros_like(faces)
+    strokes, between, apart = np.zeros_like(faces), np.zeros_like(faces), np.zeros_like(faces)
     for axis in (0, 1):
         face = long_runs(faces, length, axis)
         strokes |= face
+        apart |= long_runs(gaps_between(face, thickness, 1 - axis), length, axis)
         face = grow_along(face, long_runs(ink, length, axis), axis)
         between |= face | long_runs(gaps_between(face, thickness, 1 - axis), length, axis)
     solid = tidy(strokes, sizes)
     whole = between | covered_cells(between, cells)
     hair = face_width + 1  # a face without a partner is a line, not a wall
     hollow = tidy(fill_corners(whole, whole & ~ink, thickness), sizes, hair)
-    is_solid = bool(solid.any() and solid.sum() >= SOLID_SHARE * hollow.sum())
+    lone = apart.sum() <= PAIRED * strokes.sum()  # no partners: what lies between is windows and closets
+    is_solid = bool(solid.any() and (lone or solid.sum() >= SOLID_SHARE * hollow.sum()))
     return (solid if is_solid else hollow), is_solid
 
 

@@ -1,7 +1,8 @@
 """Walls of several hypotheses together: what one misses, another may add, if it looks like wall where it is added.
 
 Styles mix: an outer ring is hatched and the inner walls are filled, a wing stands askew, partitions are thin. An added piece
-must be slender, must not stand along a wall as furniture does, must lie inside the building and must meet walls at two places.
+must be slender, must not stand along a wall as furniture does, must lie inside the building and must meet walls, or end at
+doors, at two places.
 """
 
 from __future__ import annotations
@@ -12,10 +13,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.drawing.runs import gaps_between, run_lengths
-from priorlab.drawing.strokes import common_thickness, opened
+from priorlab.core.drawing import Door
+from priorlab.drawing.runs import gaps_between, label_runs, run_lengths
+from priorlab.drawing.strokes import common_thickness, opened, thinner_run
 from priorlab.drawing.wall_sizes import WallSizes
-from priorlab.drawing.weight import SLENDER, Hypothesis
+from priorlab.drawing.weight import SLENDER, Hypothesis, with_openings
 
 AS_WORTHY = 0.6
 """Only hypotheses that are worth so much of the best one add to it."""
@@ -28,6 +30,21 @@ TELLING = 4
 
 THIN = 0.35
 """Outside the building, strokes thinner than this share of the walls' thickness are none."""
+
+HEAVY = 2.5
+"""Partitions without a door are so many times as thick as lines."""
+
+STUB = 1.6
+"""Walls that end in a room are so many times as thick as that."""
+
+AT_JAMB = 0.15
+"""A jamb stands at a piece within so many door widths."""
+
+WIDE = 0.3
+"""Gap in the outer walls that still closes a building, share of M: a row of windows."""
+
+EDGE = 2
+"""Ragged edges of solid walls, pixels."""
 
 INSIDE = 0.8
 """So much of an added piece lies inside the building."""
@@ -56,6 +73,40 @@ def with_heavy_ink(walls: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[
     return walls | (thick & held[parts])
 
 
+def with_edges(walls: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Solid walls with the ink that goes on from them for `EDGE` pixels: heavy strokes end short of ragged edges and ends.
+
+    >>> ink = np.ones((9, 9), dtype=bool); walls = np.zeros_like(ink); walls[4, 4] = True; ink[:, 5] = False
+    >>> with_edges(walls, ink)[4].astype(int).tolist()
+    [0, 0, 1, 1, 1, 0, 0, 0, 0]
+    """
+    cross = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
+    for _ in range(EDGE):
+        walls = walls | (ink & cv2.dilate(walls.astype(np.uint8), cross).astype(bool))
+    return walls
+
+
+def between_ends(windows: NDArray[np.bool_], walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Rows (or columns) of windows that run from one end of a wall to another one; furniture may stand before a window.
+
+    >>> walls = np.zeros((5, 20), dtype=bool); walls[:3, :5] = walls[:3, 15:] = True
+    >>> windows = np.zeros_like(walls); windows[:, 5:15] = True
+    >>> between_ends(windows, walls)[:, 10].astype(int).tolist()
+    [1, 1, 1, 0, 0]
+    """
+    solid, kept = (walls & ~windows).astype(np.uint8), np.zeros_like(walls)
+    for axis in (0, 1):
+        reach = np.ones((2 * EDGE + 1, 1) if axis == 0 else (1, 2 * EDGE + 1), np.uint8)
+        near = cv2.dilate(solid, reach).astype(bool) & windows
+        labels = label_runs(windows, axis)
+        ended = np.zeros((2, int(labels.max()) + 1), dtype=bool)
+        for k, step in enumerate((1, -1)):
+            rim = windows & ~np.roll(windows, step, axis)
+            ended[k, labels[rim]] = near[rim]
+        kept |= windows & (ended[0] & ended[1])[labels]
+    return kept
+
+
 def without_thin_outside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Solid walls without the thin strokes outside what the thick ones enclose: terraces, title blocks, section marks.
 
@@ -76,15 +127,29 @@ def without_thin_outside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def with_others(
-    best: Hypothesis, hypotheses: Sequence[Hypothesis], worths: Sequence[float], sizes: WallSizes
+    best: Hypothesis,
+    hypotheses: Sequence[Hypothesis],
+    worths: Sequence[float],
+    sizes: WallSizes,
+    doors: Sequence[Door],
+    ink: NDArray[np.bool_],
 ) -> NDArray[np.bool_]:
-    """Solid walls of the best hypothesis, and the solid pieces of the others that belong to them, the worthiest first."""
+    """Solid walls of the best hypothesis, and the solid pieces of the others that belong to them, the worthiest first.
+
+    Of hypotheses that are worth little only those pieces are taken at which a door stands, or which are much heavier than lines:
+    thin partitions.
+    """
     walls = best.walls
+    heavy = HEAVY * _line_thickness(ink & ~walls)
     least = AS_WORTHY * max(worths)
     order = sorted(range(len(worths)), key=lambda k: -worths[k])
-    for k in order:
-        if worths[k] >= least and hypotheses[k].solid and hypotheses[k] is not best:
-            walls = walls | _belonging(hypotheses[k].walls, walls, sizes)
+    others = [k for k in order if hypotheses[k].solid and hypotheses[k] is not best]
+    for k in others:
+        if worths[k] >= least:
+            walls = walls | _belonging(hypotheses[k].walls, walls, sizes, doors, heavy, True)
+    for k in sorted(others, key=lambda k: -hypotheses[k].weight):
+        if worths[k] < least:
+            walls = walls | _belonging(hypotheses[k].walls, walls, sizes, doors, heavy, False)
     return walls
 
 
@@ -99,12 +164,18 @@ def inside_of(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return np.logical_and.reduce(seen)
 
 
-def _belonging(more: NDArray[np.bool_], walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
-    """Pieces of `more` beside `walls` that belong to the building."""
+def _belonging(
+    more: NDArray[np.bool_], walls: NDArray[np.bool_], sizes: WallSizes, doors: Sequence[Door], heavy: float, trusted: bool
+) -> NDArray[np.bool_]:
+    """Pieces of `more` beside `walls` that belong to the building: they meet walls or hold jambs at two places.
+
+    Pieces that hold no jamb and are not `trusted` must be at least `heavy` pixels thick; one place is enough for thicker ones.
+    """
     rim = cv2.dilate(walls.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
     extra = more & ~rim
     n_parts, parts, stats, _ = cv2.connectedComponentsWithStats(extra.astype(np.uint8), connectivity=8)
-    inside = inside_of(walls)
+    closed = with_openings(walls, sizes, WIDE)
+    inside = inside_of(closed)
     reach = max(4, round(sizes.thickness / 2))
     close = cv2.dilate(walls.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)).astype(bool)
     thin = np.minimum(run_lengths(extra, 0), run_lengths(extra, 1))
@@ -118,10 +189,36 @@ def _belonging(more: NDArray[np.bool_], walls: NDArray[np.bool_], sizes: WallSiz
         slender = (long[window] >= SLENDER * thin[window])[part].mean()
         if slender < 0.6 or inside[window][part].mean() < INSIDE or close[window][part].mean() > ALONGSIDE:
             continue
-        near = cv2.dilate(part.astype(np.uint8), np.ones((7, 7), np.uint8)).astype(bool) & walls[window]
-        if cv2.connectedComponents(near.astype(np.uint8), connectivity=8)[0] - 1 >= 2:
+        jambs = _jambs_at(part, (left, top), doors)
+        thick = float(np.median(thin[window][part])) if heavy > 0 else 0.0
+        if not (thick >= heavy > 0 or jambs or trusted):
+            continue
+        near = cv2.dilate(part.astype(np.uint8), np.ones((7, 7), np.uint8)).astype(bool) & closed[window]
+        if cv2.connectedComponents(near.astype(np.uint8), connectivity=8)[0] - 1 + jambs >= (
+            1 if thick >= STUB * heavy > 0 else 2
+        ):
             found[window] |= part
             found[window] |= (
                 more[window] & rim[window] & cv2.dilate(part.astype(np.uint8), np.ones((5, 5), np.uint8)).astype(bool)
             )
     return found
+
+
+def _line_thickness(ink: NDArray[np.bool_]) -> float:
+    """How thick half of all lines are at most, by their length; 0 of nothing."""
+    thickness = np.sort(thinner_run(ink)[ink])
+    length = np.cumsum(1.0 / thickness)
+    return float(thickness[np.searchsorted(length, length[-1] / 2)]) if thickness.size else 0.0
+
+
+def _jambs_at(part: NDArray[np.bool_], corner: tuple[int, int], doors: Sequence[Door]) -> int:
+    """How many jambs of doors stand at a piece, whose window has its upper left corner there."""
+    if not doors:
+        return 0
+    jambs = np.array([jamb for door in doors for jamb in (door.hinge, door.strike)]) - corner
+    reach = np.repeat([max(3.0, AT_JAMB * door.width) for door in doors], 2)
+    height, width = part.shape
+    near = (jambs > -reach[:, None]).all(axis=1) & (jambs < np.array([width, height]) + reach[:, None]).all(axis=1)
+    away = cv2.distanceTransform((~part).astype(np.uint8), cv2.DIST_L2, 5)
+    x, y = np.clip(np.rint(jambs[near]).astype(int), 0, [width - 1, height - 1]).T
+    return int((away[y, x] <= reach[near]).sum())

@@ -165,6 +165,21 @@ def is_box(lines: NDArray[np.bool_], symbols: Symbols, least: float = 0.8) -> ND
     return boxed
 
 
+def ink_beside(lines: NDArray[np.bool_], symbols: Symbols) -> NDArray[np.float64]:
+    """(K,) share of ink on the lines that run along the leaf on either side of it, where it has most; its ends left out.
+
+    A leaf stands in the white: one that is read into the lines of a window has others beside it.
+    """
+    left = np.stack([symbols.hinge[:, 1] - symbols.tip[:, 1], symbols.tip[:, 0] - symbols.hinge[:, 0]], axis=1)
+    asides = (BESIDE_LEAF * left, -BESIDE_LEAF * left)
+    lanes = [look_up(lines, points_between(symbols.hinge + a, symbols.tip + a, 0.25)).mean(axis=1) for a in asides]
+    return np.asarray(np.maximum(*lanes), dtype=np.float64)
+
+
+BESIDE_LEAF = 0.16
+"""Distance of the lines along which a leaf's surroundings are looked at, as a share of its length."""
+
+
 def points_between(start: NDArray, end: NDArray, margin: float = 0.05) -> NDArray:
     """(K, N_SAMPLES, 2) points from start to end, a margin left out at both ends."""
     share = np.linspace(margin, 1 - margin, N_SAMPLES)[None, :, None]

@@ -13,7 +13,7 @@ from priorlab.core.drawing import EMPTY, WALL, WINDOW, Door, Drawing, Walls
 from priorlab.drawing.corners import corners_of
 from priorlab.drawing.door_ink import door_ink
 from priorlab.drawing.faces import thin_cells, without_lone_bars
-from priorlab.drawing.joined import with_heavy_ink, with_others, without_thin_outside
+from priorlab.drawing.joined import between_ends, with_edges, with_heavy_ink, with_others, without_thin_outside
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import outer_walls
 from priorlab.drawing.pieces import WallPiece, wall_pieces
@@ -23,7 +23,15 @@ from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
 from priorlab.drawing.wall_sizes import WallSizes, wall_sizes
-from priorlab.drawing.weight import IN_COLOUR, STRAIGHT_CELLS, Hypothesis, judged, of_hue, weight_hypotheses, with_hatching
+from priorlab.drawing.weight import (
+    IN_COLOUR,
+    STRAIGHT_CELLS,
+    Hypothesis,
+    judged,
+    of_hue,
+    weight_hypotheses,
+    with_hatching,
+)
 from priorlab.drawing.window_search import find_windows
 from priorlab.drawing.windows import window_bridges, window_panes
 
@@ -47,8 +55,14 @@ OUTLINES = 0.02
 NEAR_JAMB = 0.15
 """A jamb stands on a wall that is within so many door widths of it."""
 
+JAMBLESS = 0.25
+"""Worth of walls on which no jamb stands, beside the same walls with all jambs on them."""
+
 NEARLY = 0.95
 """Of hypotheses that are nearly as good as the best, the heaviest is taken: it holds the least furniture."""
+
+NEARLY_SOLID = 0.75
+"""The same where walls are solid: lighter strokes are worth more for windows, which are added later."""
 
 WALL_LENGTH = 0.1
 """The longest straight stroke of a building is at least this share of the drawing's long side; letters are shorter."""
@@ -121,8 +135,9 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
             best = with_hatching(best, ink & ~symbols, sizes)
         joined = best.walls
         if best.solid or _share(joined, ink) >= DRAWN_SOLID:
-            joined = with_heavy_ink(with_others(best, hypotheses, worths, sizes), outlines)
+            joined = with_heavy_ink(with_others(best, hypotheses, worths, sizes, scaled, outlines), outlines)
             joined = without_thin_outside(joined)
+            joined = with_edges(joined, ink) if best.solid else joined
         chosen, walls = best.name, joined & ~(symbols & ~guided)
     if method.bridge_widths and scaled and walls.any():
         longest = method.bridge_widths * float(np.median([door.width for door in scaled]))
@@ -131,7 +146,7 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         walls = walls & ~window_panes(thin_cells(outlines, sizes), sizes)
         walls = without_lone_bars(walls, wall_sizes(sheet.long_side))
         glass = windows_of(sheet, walls, best, sizes)
-        walls = walls | (glass & ink & ~symbols)
+        walls = walls | (between_ends(glass, walls) & ink & ~symbols)  # not what stands along the wall beside it
     found = sheet.to_input(walls)
     windows = None if glass is None else sheet.to_input(glass)
     as_input = tuple(replace(h, walls=sheet.to_input(h.walls)) for h in hypotheses)
@@ -192,7 +207,8 @@ def choose(hypotheses: Sequence[Hypothesis], worths: Sequence[float]) -> Hypothe
     if not most > 0 and not any(_longest_run(h.walls) >= WALL_LENGTH * max(h.walls.shape) for h in hypotheses):
         return replace(best, walls=np.zeros_like(best.walls))
     if best.weight:
-        best = max((h for h, worth in pairs if worth >= NEARLY * most), key=lambda h: h.weight)
+        least = NEARLY_SOLID if best.solid else NEARLY
+        best = max((h for h, worth in pairs if worth >= least * most and h.solid >= best.solid), key=lambda h: h.weight)
     solid = [
         (h, w)
         for h, w in pairs
@@ -216,7 +232,7 @@ def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDA
     x, y = np.clip(jambs, 0, [walls.shape[1] - 1, walls.shape[0] - 1]).T
     on_walls = near[y, x].mean()
     mistaken = walls[symbols].mean() if symbols.any() else 0.0
-    return float((0.5 + 0.5 * on_walls) * (1 - 0.8 * mistaken))
+    return float((JAMBLESS + (1 - JAMBLESS) * on_walls) * (1 - 0.8 * mistaken))
 
 
 def windows_of(sheet: Sheet, walls: NDArray[np.bool_], best: Hypothesis, sizes: WallSizes) -> NDArray[np.bool_]:

@@ -15,13 +15,16 @@ from numpy.typing import NDArray
 from priorlab.drawing.faces import hatch_bands, long_runs, thin_cells, tidy, walls_between
 from priorlab.drawing.long_cells import long_cells
 from priorlab.drawing.preprocessing import NO_HUE
-from priorlab.drawing.runs import run_lengths
+from priorlab.drawing.runs import gaps_between, label_runs, run_lengths
 from priorlab.drawing.sheet import Sheet
-from priorlab.drawing.strokes import line_weights, stroke_widths
+from priorlab.drawing.strokes import line_weights, opened, stroke_widths, thinner_run
 from priorlab.drawing.wall_sizes import WallSizes
 
 HEAVIEST = 6
 """Largest q of a hypothesis."""
+
+HEAVIER = (8, 11)
+"""Strokes so heavy are walls themselves, not their faces."""
 
 SUBPIXEL_WEIGHTS = (1.5, 2.0, 2.5)
 """Weights of lines too thin for whole pixels to tell apart."""
@@ -31,6 +34,15 @@ HATCH_SHARE = 0.15
 
 IN_COLOUR = 0.5
 """Trust in line weights where hues tell the parts of a drawing apart."""
+
+EVEN = 0.4
+"""Solid walls are at least so much as thick as the thickest quarter of them."""
+
+OPENING = 0.12
+"""Widest door or window of solid walls, share of M."""
+
+END_WALL = 0.6
+"""The walls at the ends of an opening go on for so many of their thicknesses."""
 
 SLENDER = 6.0
 """A wall is longer than so many of its thicknesses; furniture is not."""
@@ -92,6 +104,12 @@ def weight_hypotheses(
         if heavy.any():
             walls, solid = walls_between(heavy, ink, cells, sizes)
             found.append(judged(name, walls, sizes, solid, trust, least))
+    for side in HEAVIER:
+        block = opened(ink, side)
+        if not block.any():
+            break
+        strokes = tidy(long_runs(block, sizes.face_length, 0) | long_runs(block, sizes.face_length, 1), sizes)
+        found.append(judged(f"solid strokes of at least {side} px", strokes, sizes, True, trust, side))
     loose, *strict = long_cells(outlines, sizes)
     narrow = {"long cells": loose.walls(), STRAIGHT_CELLS: np.logical_or.reduce([c.walls() for c in strict])}
     found += [judged(name, tidy(walls, sizes), sizes, False, trust) for name, walls in narrow.items()]
@@ -145,6 +163,42 @@ def slenderness(walls: NDArray[np.bool_]) -> float:
     return float((np.maximum(across, down) >= SLENDER * np.minimum(across, down)).mean())
 
 
+def with_openings(walls: NDArray[np.bool_], sizes: WallSizes, widest: float = OPENING) -> NDArray[np.bool_]:
+    """Solid walls with their doors and windows walled up: the piers between them are no longer than thick, the wall is.
+
+    A gap that ends at a wall which runs across it is a part of a room.
+
+    >>> walls = np.zeros((30, 100), dtype=bool); walls[10:16, :40] = walls[10:16, 50:] = True
+    >>> bool(with_openings(walls, WallSizes(100, 6.0))[10:16].all())
+    True
+    """
+    whole = walls.copy()
+    for axis in (0, 1):
+        gaps = gaps_between(walls, widest * sizes.long_side, axis)
+        labels, along = label_runs(gaps, axis), run_lengths(walls, axis)
+        ends = np.zeros((2, int(labels.max()) + 1), dtype=np.int32)
+        for k, step in enumerate((1, -1)):
+            first = gaps & ~np.roll(gaps, step, axis)
+            ends[k, labels[first]] = np.roll(along, step, axis)[first]
+        across = run_lengths(gaps, 1 - axis)
+        whole |= gaps & (across <= 1.5 * sizes.thickness) & (ends.min(axis=0)[labels] >= END_WALL * across)
+    return whole
+
+
+def evenness(walls: NDArray[np.bool_]) -> float:
+    """Share of the walls' length that is about as thick as walls are: in solid walls, thin strokes are lines; 0 of nothing.
+
+    >>> walls = np.zeros((60, 80), dtype=bool); walls[5:15, 10:70] = True; walls[40, 10:70] = True
+    >>> round(evenness(walls), 2)
+    0.5
+    """
+    thickness = thinner_run(walls)[walls]
+    if not thickness.size:
+        return 0.0
+    by_length = 1.0 / thickness
+    return float(by_length[thickness >= EVEN * np.percentile(thickness, 75)].sum() / by_length.sum())
+
+
 def judged(
     name: str, walls: NDArray[np.bool_], sizes: WallSizes, solid: bool = False, trust: float = 1.0, weight: float = 0.0
 ) -> Hypothesis:
@@ -152,8 +206,11 @@ def judged(
 
     The page has purity^2 and no slenderness: then furniture that stands along walls is taken for a second layer of them.
     """
-    across, down = centre_line(walls, sizes)
-    quality = trust * np.sqrt(across * down) / sizes.long_side * purity(walls, sizes) ** 3 * slenderness(walls) ** 2
+    whole = with_openings(walls, sizes) if solid else walls
+    across, down = centre_line(whole, sizes)
+    quality = trust * np.sqrt(across * down) / sizes.long_side * purity(whole, sizes) ** 3 * slenderness(whole) ** 2
+    if solid:
+        quality *= evenness(walls) ** 4
     return Hypothesis(name, walls, float(quality), solid, weight)
 
 
