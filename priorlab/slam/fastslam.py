@@ -20,6 +20,7 @@ from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.localization import choose, predict, weigh
 from priorlab.slam.map_update import SeenCells, see_cells, update_seen
 from priorlab.slam.measurement import share_explained
+from priorlab.slam.own_maps import OwnMaps
 from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.particles import start_particles
 from priorlab.slam.recording import Recorder, Run
@@ -28,7 +29,8 @@ from priorlab.slam.state import State, Step
 
 
 class FastSLAM:
-    """Occupancy grid FastSLAM with one map that all particles share, updated from the best estimate (thesis 6.4).
+    """Occupancy grid FastSLAM with one map that all particles share, updated from the best estimate (thesis 6.4), or, with
+    `localize_in="own"`, a map for each of up to 100 particles (thesis 2.2.3).
 
     Parameters
     ----------
@@ -109,6 +111,7 @@ class FastSLAM:
             particles=particles,
             log_odds=prior_map.log_odds.copy(),
             growing=growing,
+            own=OwnMaps(prior_map, len(particles), parameters) if parameters.localize_in == "own" else None,
             rng=rng,
             recorder=Recorder(),
         )
@@ -126,10 +129,14 @@ class FastSLAM:
         parameters, log, k = self.parameters, state.log, state.step
         scan = choose_beams(log, k, parameters)
         moved = predict(state.particles, log.odometry[max(k - 1, 0)], log.odometry[k], state.rng, parameters)
-        weighed = weigh(moved, scan, state.field) if state.weighs[k] else moved
+        weighed = moved
+        if state.weighs[k]:
+            weighed = state.own.weigh(moved, scan) if state.own else weigh(moved, scan, state.field)
         pose = estimate_pose(weighed, parameters)
         particles = choose(weighed, state.rng, parameters) if state.resamples[k] else weighed
         seen = self.map_scan(state, k, pose)
+        if state.own:
+            state.own.update(weighed, particles, scan, state.way_m[k])
         done = Step(k, scan, moved, weighed, pose, particles, seen)
         state.recorder.add(done, share_explained(pose, scan, state.plan))
         state.step, state.particles = k + 1, particles
@@ -145,7 +152,8 @@ class FastSLAM:
 
     def finish(self, state: State) -> Run:
         """The record of the steps made so far; of all of them when the state is done."""
-        return state.recorder.finish(state.prior_map, state.log, self.parameters, state.map)
+        run = state.recorder.finish(state.prior_map, state.log, self.parameters, state.map)
+        return replace(run, path=state.own.paths[state.own.heaviest]) if state.own else run
 
 
 def _check_start(plan: LikelihoodField, prior_map: GridMap, log: RobotLog) -> None:

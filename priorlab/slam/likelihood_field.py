@@ -108,8 +108,8 @@ class LikelihoodField:
         """
         cell_m = self.grid.cell_size_m
         reach = math.ceil(self.parameters.max_distance_m / cell_m)
-        felt = _grown(rows, cols, reach, self.grid.shape)
-        needed = _grown(rows, cols, 2 * reach, self.grid.shape)
+        felt = grown(rows, cols, reach, self.grid.shape)
+        needed = grown(rows, cols, 2 * reach, self.grid.shape)
         distance = distance_to_boundary(self.occupied(log_odds_map[needed]), self.parameters.max_distance_m / cell_m)
         inside = tuple(slice(f.start - n.start, f.stop - n.start) for f, n in zip(felt, needed, strict=True))
         self.image[felt] = log_likelihood_of(distance[inside] * cell_m, self.parameters)
@@ -118,7 +118,7 @@ class LikelihoodField:
 _CROSS = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
 
-def _grown(rows: slice, cols: slice, by: int, shape: tuple[int, int]) -> tuple[slice, slice]:
+def grown(rows: slice, cols: slice, by: int, shape: tuple[int, int]) -> tuple[slice, slice]:
     """A window with `by` cells more on every side, cut at the rim."""
     row, col = (slice(max(side.start - by, 0), min(side.stop + by, n)) for side, n in zip((rows, cols), shape, strict=True))
     return row, col

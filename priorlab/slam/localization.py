@@ -56,4 +56,5 @@ def choose(particles: Particles, rng: np.random.Generator, parameters: Parameter
         pilot = resample(weights, most, rng, "multinomial")  # Fox's rule counts bins of independent draws
         _, bin_of_particle = number_bins(pose_bins(particles.poses, parameters))
         n_draws = kld_count(bin_of_particle[pilot], parameters)
-    return Particles(particles.poses[resample(weights, n_draws, rng, parameters.resampling)])
+    drawn = resample(weights, n_draws, rng, parameters.resampling)
+    return Particles(particles.poses[drawn], ancestors=drawn)

@@ -77,11 +77,15 @@ def update_seen(
 
     "p_previous" of eq. 6.1 means that a cell behind the hit is left alone.
     """
+    log_odds_map[seen.rows, seen.cols] += change_of(seen, prior_log_odds, parameters)
+
+
+def change_of(seen: SeenCells, prior_log_odds: NDArray[np.float64], parameters: Parameters = TUNED) -> NDArray[np.float64]:
+    """logit(ISM) - lam l_{0,i} for the cells of the window (eq. 6.2), 0 for those that were not seen."""
     said = np.zeros(3)
     said[FREE], said[OCCUPIED] = log_odds([parameters.p_free, parameters.p_occupied])
-    window = (seen.rows, seen.cols)
     looked = (seen.labels != UNSEEN).astype(np.float64)
-    log_odds_map[window] += said[seen.labels] - parameters.lam * looked * prior_log_odds[window]  # eq. 6.2
+    return said[seen.labels] - parameters.lam * looked * prior_log_odds[seen.rows, seen.cols]  # eq. 6.2
 
 
 def _along(eye: NDArray, angles: NDArray, ranges: NDArray) -> NDArray[np.float64]:

@@ -13,6 +13,9 @@ from priorlab.core.checks import check_positive, check_probability
 from priorlab.core.log_odds import OCCUPIED_IN_FIELD
 from priorlab.core.sensor import check_sensor_model
 
+MOST_OWN_MAPS = 100
+"""Particles that may have a map of their own (`localize_in="own"`): a step takes about a millisecond for each."""
+
 
 @dataclass(frozen=True)
 class Parameters:
@@ -43,8 +46,9 @@ class Parameters:
     resampling_interval : a resampling follows every n-th scan that weighed (Table 6.1)
     estimate : "cluster" is the mean of the heaviest cluster, our reading of algorithm 6.2; "mean" of all; "best" particle
     start_variances : (3,) variances of x, y (m^2) and theta (rad^2) at the start; 0 is exact (6.2.2), 0.1 each is eq. 6.3
-    localize_in : "updated", the map as it grows (algorithm 6.1), or "static", the plan alone (6.3); see the note
-    lag_m : the last scans of so much way are not yet in the map that "updated" localizes in; 0 as printed
+    localize_in : "updated", the map as it grows (algorithm 6.1), or "static", the plan alone (6.3), or
+        "own", a map per particle (2.2.3), for at most 100 of them; see the note
+    lag_m : the scans of the last metres of way are not yet in the map that "updated" and "own" localize in; 0 as printed
     p_free, p_occupied : inverse sensor model, P(empty), eq. 6.1 (Table 6.1)
     lam : weight of "- l_0" in eq. 6.2; 1 as printed, 0 is Bayes for a sensor model made with prior 0.5
     thickening_m : occupied space behind a hit, along the beam (6.2.2 gives no number); 0 is the hit's cell alone
@@ -96,7 +100,7 @@ class Parameters:
     estimate: Literal["cluster", "mean", "best"] = "cluster"
     start_variances: tuple[float, float, float] = (0.0, 0.0, 0.0)
     # map, algorithms 6.1 and 6.5
-    localize_in: Literal["updated", "static"] = "static"
+    localize_in: Literal["updated", "static", "own"] = "static"
     lag_m: float = 3.0
     p_free: float = 0.8
     p_occupied: float = 0.2
@@ -125,6 +129,8 @@ class Parameters:
         if not 1 <= fewest <= most:
             raise ValueError(f"particle_limits must be the fewest, at least 1, and the most, got {self.particle_limits}")
         object.__setattr__(self, "particle_limits", (fewest, most))
+        if self.localize_in == "own" and most > MOST_OWN_MAPS:
+            raise ValueError(f"particle_limits must be at most {MOST_OWN_MAPS} for a map per particle, got {most}")
         if not 0 < self.temper <= 1:
             raise ValueError(f"temper must lie in (0, 1], got {self.temper:g}")
         if not 0 <= self.lam <= 1:
@@ -142,7 +148,7 @@ _CHOICES = {
     "rotation_noise": ("symmetric", "literal"),
     "resampling": ("systematic", "stratified", "multinomial"),
     "estimate": ("cluster", "mean", "best"),
-    "localize_in": ("updated", "static"),
+    "localize_in": ("updated", "static", "own"),
 }
 
 TUNED = Parameters()

@@ -19,6 +19,7 @@ class Particles:
     ----------
     poses : (N, 3) x, y, theta; metres, y up
     log_weights : (N,) log of the weights, up to a common constant; equal weights by default
+    ancestors : (N,) after a draw, the number of the particle that each was drawn from; None else
 
     >>> Particles([[0, 0, 0], [1, 0, 0]], np.log([1, 3])).weights.tolist()
     [0.25, 0.75]
@@ -26,6 +27,7 @@ class Particles:
 
     poses: NDArray[np.float64]
     log_weights: NDArray[np.float64] = None  # type: ignore[assignment]
+    ancestors: NDArray[np.int64] | None = None
 
     def __post_init__(self) -> None:
         poses = check_poses("poses", self.poses)

@@ -49,6 +49,7 @@ class Run:
     sample : (T, S, 3) float32, up to 300 of the particles that went on, for pictures: to the millimetre and the milliradian,
         in the order of x
     explained : (T,) share of the beams that end at a wall of the PLAN, seen from the estimate; nan for few beams
+    path : (T, 3) the poses that drew `map`, when it is that of the heaviest particle (`localize_in="own"`); else the trajectory
     """
 
     prior_map: GridMap
@@ -60,6 +61,7 @@ class Run:
     ess: NDArray[np.float64]
     sample: NDArray[np.float32]
     explained: NDArray[np.float64]
+    path: NDArray[np.float64] | None = None
 
     def __len__(self) -> int:
         return len(self.trajectory)
@@ -108,7 +110,8 @@ class Run:
     def _draw(self, log_odds_map: NDArray[np.float64], k: int, prior_map: GridMap | None = None) -> SeenCells:
         """Put the scan of a step into a map, from the pose that was estimated (algorithm 6.5)."""
         prior_map = prior_map or self.prior_map
-        seen = see_cells(prior_map.grid, self.trajectory[k], choose_beams(self.log, k, self.parameters), self.parameters)
+        pose = self.trajectory[k] if self.path is None else self.path[k]
+        seen = see_cells(prior_map.grid, pose, choose_beams(self.log, k, self.parameters), self.parameters)
         update_seen(log_odds_map, prior_map.log_odds, seen, self.parameters)
         return seen
 

@@ -12,6 +12,7 @@ from priorlab.core.readings import RobotLog
 from priorlab.slam.lagging_field import LaggingField
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.map_update import SeenCells
+from priorlab.slam.own_maps import OwnMaps
 from priorlab.slam.particles import Particles
 from priorlab.slam.recording import Recorder
 from priorlab.slam.scan import Scan
@@ -28,8 +29,9 @@ class State:
     weighs, resamples : (T,) steps whose scan weighs, and after which particles are drawn; the log says it beforehand
     step : number of the next step
     particles : the belief so far
-    log_odds : (rows, cols) m_{k-1}; a step writes into it
+    log_odds : (rows, cols) m_{k-1} as the estimates draw it; a step writes into it
     growing : the map that the robot localizes in, when it is the growing one; a step adds to it
+    own : the maps of the particles, when each has its own; a step puts others in their place
     rng : for the motion and the draws; `rng.bit_generator.state` is all that there is to remember of it
     recorder : the steps that were made
     """
@@ -44,6 +46,7 @@ class State:
     particles: Particles
     log_odds: NDArray[np.float64]
     growing: LaggingField | None
+    own: OwnMaps | None
     rng: np.random.Generator
     recorder: Recorder
 
@@ -59,8 +62,9 @@ class State:
 
     @property
     def map(self) -> GridMap:
-        """m_{k-1}, a copy that the next step leaves alone."""
-        return GridMap(self.log_odds.copy(), self.prior_map.grid, self.prior_map.prior)
+        """m_{k-1}, of the heaviest particle when each has its own; a copy that the next step leaves alone."""
+        log_odds_map = self.own.map_of_heaviest() if self.own else self.log_odds.copy()
+        return GridMap(log_odds_map, self.prior_map.grid, self.prior_map.prior)
 
     def __repr__(self) -> str:
         return f"State(before step {self.step} of {len(self.log)}, {self.particles!r})"

@@ -257,7 +257,7 @@ def test_run_warns_when_the_prior_is_surer_than_the_sensor(floor, drive_log, pri
         ({"lag_m": -1}, "lag_m must be a finite number of at least 0, got -1"),
         ({"n_beams": 0}, "n_beams must be at least 1, got 0"),
         ({"noise": "sd"}, "noise must be one of variance, std, got 'sd'"),
-        ({"localize_in": "own"}, "localize_in must be one of updated, static, got 'own'"),
+        ({"localize_in": "mine"}, "localize_in must be one of updated, static, own, got 'mine'"),
         ({"p_free": 0.1}, "p_free must be above p_occupied, got 0.1 and 0.2"),
         ({"tempr": 0.1}, "parameter must be one of .*; did you mean 'temper'"),
     ],
