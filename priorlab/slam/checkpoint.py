@@ -26,18 +26,19 @@ from priorlab.core.files import check_free, write_file
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
 from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.own_maps_record import own_maps_news, own_paths_of, shared_steps
 from priorlab.slam.parameters import Parameters
 from priorlab.slam.particles import Particles
 from priorlab.slam.record_file import append_record, pack_record, whole_records
 from priorlab.slam.recording import Recorder, Run
 from priorlab.slam.run_inputs import UNREADABLE, arrays_of, inputs_as_arrays, inputs_from_arrays
+from priorlab.slam.scan import choose_beams
 from priorlab.slam.state import State
 
 EVERY = 50
 """Steps between two records: what a crash may cost at most."""
 
 _FORMAT = "priorlab checkpoint 1"
-_REDRAWN = ("updated", "static")
 _GENERATORS = ("PCG64", "PCG64DXSM", "MT19937", "Philox", "SFC64")
 
 Progress = Callable[[int, int], None]
@@ -72,9 +73,6 @@ def run_with_checkpoints(
     for name, value, kind in (("fast_slam", fast_slam, FastSLAM), ("prior_map", prior_map, GridMap), ("log", log, RobotLog)):
         check_record(name, value, kind)
     every = check_whole("every", every)
-    mode = fast_slam.parameters.localize_in
-    if mode not in _REDRAWN:
-        raise ValueError(f"localize_in must be {' or '.join(_REDRAWN)} for a drive that can be gone on with, got {mode}")
     generator = type(check_rng(rng).bit_generator).__name__
     if generator not in _GENERATORS:
         raise ValueError(f"rng must draw from one of {', '.join(_GENERATORS)} to be gone on with, got {generator}")
@@ -82,7 +80,7 @@ def run_with_checkpoints(
     words = {"every": every, "generator": generator}
     state = fast_slam.start(prior_map, log, rng)
     first = pack_record(inputs_as_arrays(_FORMAT, prior_map, log, fast_slam.parameters, **words))
-    write_file(path, first + pack_record(_news(state, 0)))
+    write_file(path, first + pack_record(_news(state, 0, 0)))
     return _drive_on(fast_slam, state, Path(path), every, progress)
 
 
@@ -142,12 +140,12 @@ def _sentence(path: Path) -> Iterator[None]:
 def _drive_on(fast_slam: FastSLAM, state: State, path: Path, every: int, progress: Progress | None) -> Run:
     """Make the steps that are left, and add a record now and then."""
     with path.open("ab") as file:
-        kept = state.step
+        kept, shared = state.step, _shared(state)
         while not state.done:
             fast_slam.step(state)
             if state.step - kept == every or state.done:
-                append_record(file, pack_record(_news(state, kept)))
-                kept = state.step
+                append_record(file, pack_record(_news(state, kept, shared)))
+                kept, shared = state.step, _shared(state)
             if progress:
                 progress(state.step, len(state.log))
     return fast_slam.finish(state)
@@ -156,10 +154,11 @@ def _drive_on(fast_slam: FastSLAM, state: State, path: Path, every: int, progres
 # --- what is kept ----------------------------------------------------------------------------------------------------
 
 
-def _news(state: State, since: int) -> dict[str, Any]:
-    """The steps from `since` on, and where the drive stands: its particles and its generator."""
+def _news(state: State, since: int, shared: int) -> dict[str, Any]:
+    """The steps from `since` on, and where the drive stands: its particles, their own paths and its generator."""
     steps = state.recorder
-    return {
+    paths = own_maps_news(state.own, shared) if state.own else {}
+    return paths | {
         "poses": np.array(steps.poses[since:]).reshape(-1, 3),
         "n_particles": np.array(steps.n_particles[since:], dtype=np.int64),
         "ess": np.array(steps.ess[since:], dtype=np.float64),
@@ -170,6 +169,11 @@ def _news(state: State, since: int) -> dict[str, Any]:
         "log_weights": state.particles.log_weights,
         "generator": np.array(json.dumps(state.rng.bit_generator.state, default=np.ndarray.tolist)),
     }
+
+
+def _shared(state: State) -> int:
+    """Steps that the paths of all particles share; 0 when they have no maps of their own."""
+    return shared_steps(state.own.paths) if state.own else 0
 
 
 def _restored(fast_slam: FastSLAM, prior_map: GridMap, log: RobotLog, generator: str, news: list[dict[str, NDArray]]) -> State:
@@ -186,6 +190,9 @@ def _restored(fast_slam: FastSLAM, prior_map: GridMap, log: RobotLog, generator:
     rng = np.random.Generator(getattr(np.random, generator)(0))
     state = fast_slam.start(prior_map, log, rng)
     _redraw(state, recorder, fast_slam)
+    if state.own:
+        scans = [choose_beams(log, k, fast_slam.parameters) for k in range(state.step)]
+        state.own.redraw(own_paths_of(news), int(news[-1]["own_heaviest"]), scans, state.way_m)
     state.particles = Particles(news[-1]["particles"], news[-1]["log_weights"])
     rng.bit_generator.state = json.loads(str(news[-1]["generator"]))
     return state

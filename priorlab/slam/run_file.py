@@ -33,6 +33,7 @@ def save_run(run: Run, path: str | Path, force: bool = False) -> None:
     check_free(path, force)
     arrays = inputs_as_arrays(_FORMAT, run.prior_map, run.log, run.parameters)
     arrays |= {name: getattr(run, name) for name in _STEPS} | pack_sample(run.sample)
+    arrays |= {} if run.path is None else {"path": run.path}
     stream = io.BytesIO()
     np.savez_compressed(stream, **arrays)
     write_file(path, stream.getvalue())
@@ -55,7 +56,8 @@ def load_run(path: str | Path) -> Run:
         arrays = arrays_of(content)
         prior_map, log, parameters, _ = inputs_from_arrays(_FORMAT, arrays)
         steps = {name: arrays[name] for name in _STEPS} | {"sample": unpack_sample(arrays)}
+        path_of_map = arrays.get("path")
     except UNREADABLE as fault:
         raise ValueError(f"{path} must be a run that priorlab saved, got a file that cannot be read: {fault}") from fault
-    run = Run(prior_map, log, parameters, map=prior_map, **steps)
-    return Run(prior_map, log, parameters, map=run.remap(prior_map), **steps)
+    run = Run(prior_map, log, parameters, map=prior_map, path=path_of_map, **steps)
+    return Run(prior_map, log, parameters, map=run.remap(prior_map), path=path_of_map, **steps)

@@ -10,6 +10,7 @@ import pytest
 from priorlab.core.readings import RobotLog
 from priorlab.slam.checkpoint import EVERY, resume, run_with_checkpoints
 from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.own_maps_record import shared_steps
 from priorlab.slam.run_file import load_run, save_run
 
 FAST = FastSLAM(particle_limits=(100, 300))
@@ -86,6 +87,7 @@ import sys
 import numpy as np
 from priorlab.slam.checkpoint import run_with_checkpoints
 from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.own_maps_record import shared_steps
 from priorlab.slam.run_file import load_run
 
 given = load_run(sys.argv[1])
@@ -175,12 +177,30 @@ def test_run_with_checkpoints_says_what_is_wrong(tmp_path, slam_prior, log):
     assert len(run_with_checkpoints(FAST, slam_prior, few, np.random.default_rng(0), path, force=True)) == 3
 
 
-def test_run_with_checkpoints_takes_no_maps_that_it_cannot_draw_again(tmp_path, slam_prior, log):
-    fast_slam = FastSLAM()
-    object.__setattr__(fast_slam.parameters, "localize_in", "elsewhere")
-    with pytest.raises(ValueError, match="localize_in must be updated or static for a drive .*, got elsewhere"):
-        run_with_checkpoints(fast_slam, slam_prior, log, np.random.default_rng(0), tmp_path / "a")
-    assert not list(tmp_path.iterdir())
+@pytest.mark.parametrize("lag_m", [0.0, 1.0])
+def test_resume_goes_on_with_a_map_for_every_particle(tmp_path, slam_prior, log, lag_m):
+    few, own = shorter(log, 45), FastSLAM(particle_limits=(12, 12), localize_in="own", weigh_every_m=0.0, lag_m=lag_m)
+    whole = own.run(slam_prior, few, np.random.default_rng(5))
+    assert not np.array_equal(whole.path, whole.trajectory)
+    with pytest.raises(KeyboardInterrupt):
+        run_with_checkpoints(own, slam_prior, few, np.random.default_rng(5), tmp_path / "a", every=10, progress=interrupt_at(17))
+    with pytest.raises(KeyboardInterrupt):
+        resume(tmp_path / "a", interrupt_at(38))
+    run = resume(tmp_path / "a")
+    assert_same(run, whole)
+    np.testing.assert_array_equal(run.path, whole.path)
+    np.testing.assert_array_equal(run.at(-1).log_odds, whole.map.log_odds)
+    save_run(run, tmp_path / "run.npz")
+    again = load_run(tmp_path / "run.npz")
+    assert_same(again, whole)
+    np.testing.assert_array_equal(again.path, whole.path)
+
+
+def test_shared_steps_end_where_the_first_particle_leaves():
+    paths = np.zeros((3, 6, 3))
+    assert shared_steps(paths) == 6 and shared_steps(paths[:, :0]) == 0 and shared_steps(paths[:1]) == 6
+    paths[1, 4, 2], paths[2, 5] = 1e-12, 7
+    assert shared_steps(paths) == 4
 
 
 def test_a_record_costs_the_same_late_as_early(tmp_path, slam_prior, log):
