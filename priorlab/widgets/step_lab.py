@@ -69,7 +69,7 @@ class StepLab(Lab):
         self.at = Slider("stages done", 0, 0, self._last, 1, "four stages a step: sample, weigh, estimate, resample")
         self.filter = ipywidgets.Dropdown(options=list(filters), description="filter:", layout=ipywidgets.Layout(width="auto"))
         self.filter.observe(self._moved, "value")
-        self.play = ipywidgets.Play(min=0, max=self._last, interval=400, tooltip="play the stages")
+        self.play = ipywidgets.Play(min=0, max=self._last, interval=400, show_repeat=False, tooltip="play the stages")
         ipywidgets.link((self.play, "value"), (self.at, "value"))
         moves = [self._mover("one back", -1), self._mover("next stage", 1, "primary"), self._mover("a whole step", len(STAGES))]
         presets: dict[str, dict[str, float]] = {
