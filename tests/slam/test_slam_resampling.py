@@ -4,7 +4,7 @@ import contextlib
 
 import numpy as np
 import pytest
-from filterpy.monte_carlo import stratified_resample, systematic_resample
+from filterpy.monte_carlo import residual_resample, stratified_resample, systematic_resample
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -41,6 +41,30 @@ def test_resample_agrees_with_filterpy(method, reference, seed):
     with global_offsets(seed):
         expected = reference(weights)
     assert np.array_equal(resample(weights, 500, SameOffsets(seed), method), expected)
+
+
+def right_residual_counts(weights, rng):
+    """Every particle floor(N w) times; the rest drawn by what is left, N w - floor(N w)."""
+    n = len(weights)
+    counts = [int(n * w) for w in weights]
+    left = [n * w - count for w, count in zip(weights, counts, strict=True)]
+    shares = np.cumsum(left) / sum(left)
+    for _ in range(n - sum(counts)):
+        counts[int(np.searchsorted(shares, rng.random(), side="right"))] += 1
+    return np.array(counts)
+
+
+def test_residual_resample_of_filterpy_lacks_a_factor():
+    weights = np.array([0.5, 0.21, 0.2, 0.07, 0.02])  # N w is 2.5, 1.05, 1, 0.35, 0.1
+    with global_offsets(0):
+        wrong = np.mean([np.bincount(residual_resample(weights), minlength=5) for _ in range(4000)], axis=0)
+    rng = np.random.default_rng(0)
+    right = np.mean([right_residual_counts(weights, rng) for _ in range(4000)], axis=0)
+    assert right == pytest.approx(5 * weights, abs=0.03)  # as often as the weight says
+    # its residual is w - floor(N w); over its sum, below 0, those already taken are drawn once more and the light ones never
+    assert wrong[3:].tolist() == [0, 0]
+    ours = np.mean([np.bincount(resample(weights, 5, rng, "stratified"), minlength=5) for _ in range(4000)], axis=0)
+    assert ours == pytest.approx(5 * weights, abs=0.03)
 
 
 @given(st.lists(st.floats(0, 1), min_size=1, max_size=30).filter(lambda w: sum(w) > 1e-6), st.integers(1, 80), st.integers(0, 99))
