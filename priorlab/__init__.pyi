@@ -35,6 +35,9 @@ from .interchange.carmen_writing import write_carmen as write_carmen
 from .interchange.depth_images import read_depth_image as read_depth_image
 from .interchange.images import read_drawing as read_drawing
 from .interchange.pose_files import read_poses as read_poses
+from .interchange.ros_map import read_ros_map as read_ros_map
+from .interchange.ros_map import write_ros_map as write_ros_map
+from .interchange.trajectories import write_tum as write_tum
 from .mapping.evidence import gather_evidence as gather_evidence
 from .mapping.other_priors import constant_prior as constant_prior
 from .mapping.other_priors import drawing_as_it_is as drawing_as_it_is
@@ -57,7 +60,13 @@ from .robot.drive import drive as drive
 from .robot.explore import explore as explore
 from .robot.range_noise import RangeNoise as RangeNoise
 from .robot.strip import strip_ranges as strip_ranges
+from .slam.checkpoint import resume as resume
+from .slam.checkpoint import run_with_checkpoints as run_with_checkpoints
 from .slam.fastslam import FastSLAM as FastSLAM
+from .slam.matched_mapping import map_by_matching as map_by_matching
 from .slam.parameters import TABLE_6_1 as TABLE_6_1
 from .slam.parameters import TUNED as TUNED
 from .slam.recording import Run as Run
+from .slam.run_file import load_run as load_run
+from .slam.run_file import save_run as save_run
+from .slam.scan_matching import match_scan as match_scan
