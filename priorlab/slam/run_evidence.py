@@ -14,7 +14,7 @@ from priorlab.slam.scan import choose_beams
 
 
 def evidence_of_run(run: Run, parameters: Parameters | None = None) -> EvidenceOverTime:
-    """Look through the scans of a run once more, from the poses that were estimated (algorithm 6.5 without the sum).
+    """Look through the scans of a run once more, from the poses that drew its map (algorithm 6.5 without the sum).
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ def evidence_of_run(run: Run, parameters: Parameters | None = None) -> EvidenceO
     said = np.zeros(3)
     said[FREE], said[OCCUPIED] = log_odds([parameters.p_free, parameters.p_occupied])
     cells, added = [np.empty(0, dtype=np.int64)], [np.empty(0)]
-    for k, pose in enumerate(run.trajectory):
+    for k, pose in enumerate(run.trajectory if run.path is None else run.path):
         seen = see_cells(grid, pose, choose_beams(run.log, k, parameters), parameters)
         rows, cols = np.nonzero(seen.labels != UNSEEN)
         cells.append((rows + seen.rows.start) * grid.shape[1] + cols + seen.cols.start)

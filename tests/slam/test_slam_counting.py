@@ -1,5 +1,7 @@
 """A map that only counts hits and misses, and the evidence of a run that it is made of."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -90,6 +92,12 @@ def test_evidence_of_run_is_what_the_map_was_made_of(run, step):
     done = step + 1 if step >= 0 else len(run)
     again = update_map(run.prior_map, evidence_of_run(run).at(done), run.parameters.lam)
     np.testing.assert_allclose(again.log_odds, run.at(step).log_odds, atol=1e-9)
+
+
+def test_evidence_of_run_follows_the_path_that_drew_the_map():
+    run = run_along_a_corridor([[0.6]])
+    moved = replace(run, path=run.trajectory + [0.2, 0.0, 0.0])
+    assert np.flatnonzero(counted_map(moved).hits).tolist() == [10]
 
 
 def test_evidence_of_run_takes_other_parameters_of_the_map():
