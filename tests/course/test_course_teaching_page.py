@@ -13,7 +13,18 @@ from priorlab.course.checking import exercises
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = (DOCS / "teaching.md").read_text(encoding="utf-8")
 KEY = dict(re.findall(r"^\| (\d\d\.\w+) \| (.+?) \|", PAGE, flags=re.MULTILINE))
-NUMBERS = ["00.occupancy", "00.f2", "03.effective", "03.limit", "04.one_cell", "04.flip", "05.threshold", "06.turn", "08.beam", "08.ess"]
+NUMBERS = [
+    "00.occupancy",
+    "00.f2",
+    "03.effective",
+    "03.limit",
+    "04.one_cell",
+    "04.flip",
+    "05.threshold",
+    "06.turn",
+    "08.beam",
+    "08.ess",
+]
 NUMBERS += ["09.doorway", "09.added"]
 
 
