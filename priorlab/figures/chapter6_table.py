@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -44,6 +44,7 @@ def _table(rng: np.random.Generator) -> Outcome:
     columns = ["value", "printed", "tuned", "all as printed but this: ATE, m", "all tuned but this as printed: ATE, m"]
     plot.number_table(rows, columns, axes[1], None, [0.17, 0.17, 0.2, 0.23, 0.23])
     guilty = [name for name, runs in broken.items() if n_lost(runs)]
+    worst = sorted(broken, key=lambda name: ate_of(broken[name]).mean)[:-3:-1]
     healing = [name for name, runs in {**mended, "alphas as deviations": as_std}.items() if not n_lost(runs)]
     holds = {"the printed values keep the robot on its way": n_lost(printed) == 0}
     numbers: dict[str, Any] = {
@@ -62,10 +63,16 @@ def _table(rng: np.random.Generator) -> Outcome:
         verdict_of(list(holds.values())),
         f"on the first rooms, five seeds: as printed {n_lost(printed)} of 5 robots get lost (ATE {ate_of(printed).told()} m), "
         f"TUNED {n_lost(tuned)} ({ate_of(tuned).told()} m); one printed value alone loses a robot when it is "
-        f"{', '.join(guilty) or 'none of them'}; mending one alone saves all five when it is "
+        f"{', '.join(guilty) or 'none of them'}, and the two that do most harm are {_harm(worst, broken)}; mending one alone "
+        "saves all five when it is "
         f"{', '.join(healing) or 'none of them'}",
         "The ways of one robot with the printed and with the tuned values on the plan; a table of errors with one value changed.",
     )
+
+
+def _harm(names: Sequence[str], broken: Mapping[str, Sequence[FloorRun]]) -> str:
+    """Values with the error that each makes alone."""
+    return " and ".join(f"{name} ({ate_of(broken[name]).mean:.2f} m)" for name in names)
 
 
 def changed_values() -> list[str]:
