@@ -13,7 +13,10 @@ from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.scan import Scan
 
 EXPLAINED_M = 0.4
-"""A beam that ends this near to an obstacle is explained by it."""
+"""A beam is explained by an obstacle no farther from its end than this ..."""
+
+EXPLAINED_SIGMAS = 4.0
+"""... and than so many sigma_hit: farther away the field cannot tell distances apart."""
 
 FEWEST_TO_JUDGE = 10
 """With fewer beams the share that is explained means nothing."""
@@ -81,9 +84,15 @@ def scan_exponent(n_returned: int, parameters: Parameters = TUNED) -> float:
     return min(1.0, parameters.temper * math.sqrt(parameters.n_beams / n_returned))
 
 
-def share_explained(pose: NDArray[np.float64], scan: Scan, field: LikelihoodField) -> float:
-    """Share of a scan's beams that end within 0.4 m of an obstacle, seen from one pose; nan for fewer than ten beams."""
+def share_explained(
+    pose: NDArray[np.float64], scan: Scan, field: LikelihoodField, within_sigmas: float = EXPLAINED_SIGMAS
+) -> float:
+    """Share of a scan's beams that end near an obstacle, seen from one pose; nan for fewer than ten beams.
+
+    Near is within `within_sigmas` times sigma_hit, at most 0.4 m.
+    """
     if len(scan) < FEWEST_TO_JUDGE:
         return float("nan")
-    close = log_likelihood_of(np.array(EXPLAINED_M), field.parameters)
+    near_m = min(EXPLAINED_M, within_sigmas * field.parameters.sigma_hit_m)
+    close = log_likelihood_of(np.array(near_m), field.parameters)
     return float((beam_log_likelihoods(pose[None], scan, field) >= close).mean())

@@ -15,10 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.checks import check_poses, check_positive
 from priorlab.core.pose import wrap_angle
-from priorlab.slam.likelihood_field import LikelihoodField, log_likelihood_of
+from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.match_refinement import climb, information
 from priorlab.slam.match_search import find_best
-from priorlab.slam.measurement import FEWEST_TO_JUDGE, beam_log_likelihoods
+from priorlab.slam.measurement import share_explained
 from priorlab.slam.parameters import Parameters
 from priorlab.slam.scan import Scan
 
@@ -155,17 +155,9 @@ def match_scan(scan: Scan, field: LikelihoodField, guess: ArrayLike, window: Win
     told = information(pose, points, field, spacing)
     covariance = np.asarray(np.linalg.inv(told + np.diag(1.0 / np.square(window.spread))), dtype=np.float64)
     cell[2] = wrap_angle(cell[2])
-    explained = _share_explained(pose, scan, field)
+    explained = share_explained(pose, scan, field, NEAR)
     why = _distrusted_because(explained, told, best.step, steps * cell_m, window)
     return Match(pose, cell, best.score, covariance, explained, why, best.n_scored)
-
-
-def _share_explained(pose: NDArray[np.float64], scan: Scan, field: LikelihoodField) -> float:
-    """Share of the beams that end near an obstacle; nan for too few to judge."""
-    if len(scan) < FEWEST_TO_JUDGE:
-        return math.nan
-    close = log_likelihood_of(np.array(NEAR * field.parameters.sigma_hit_m), field.parameters)
-    return float((beam_log_likelihoods(pose[None], scan, field) >= close).mean())
 
 
 def _distrusted_because(

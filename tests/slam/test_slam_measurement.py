@@ -95,6 +95,16 @@ def test_log_weights_of_no_beam_say_nothing():
     assert math.isnan(share_explained(np.zeros(3), scan_of([], []), field))
 
 
+@pytest.mark.parametrize(("sigma_hit_m", "within_sigmas", "share"), [(0.05, 4.0, 0.3), (0.05, 3.0, 0.2), (0.2, 4.0, 0.5)])
+def test_share_explained_counts_beams_that_end_near_a_wall(sigma_hit_m, within_sigmas, share):
+    wall = np.zeros((60, 80), dtype=bool)
+    wall[:, 60] = True  # its cells' centres at x = 6.05 m
+    field = LikelihoodField.of(map_of(wall), replace(TUNED, sigma_hit_m=sigma_hit_m))
+    short_m = np.repeat([0.0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1.0, 1.2, 1.5], 2)  # two beams each; how far before the wall they end
+    scan = scan_of(5.05 - short_m, np.zeros(20))
+    assert share_explained(np.array([1.0, 3.05, 0.0]), scan, field, within_sigmas) == share
+
+
 def test_log_weights_of_more_particles_than_opencv_counts():
     field = LikelihoodField.of(map_of(np.eye(20, dtype=bool)), TUNED)
     poses = np.random.default_rng(0).uniform(0, 2, (40_000, 3))
