@@ -27,6 +27,9 @@ from priorlab.slam.recording import Recorder, Run
 from priorlab.slam.scan import choose_beams, weighing_steps
 from priorlab.slam.state import State, Step
 
+FARTHEST_M = 1e6
+"""Wheels that tell of a longer drive are broken, and numbers of cells would no longer be exact."""
+
 
 class FastSLAM:
     """Occupancy grid FastSLAM with one map that all particles share, updated from the best estimate (thesis 6.4), or, with
@@ -160,9 +163,12 @@ def _check_start(plan: LikelihoodField, prior_map: GridMap, log: RobotLog) -> No
     """A drive needs steps, and a robot cannot start off the map or in a wall."""
     if len(log) == 0:
         raise ValueError("the log must hold at least one scan, got 0")
+    farthest = max(np.ptp(log.odometry[:, 0] / 2), np.ptp(log.odometry[:, 1] / 2)) * 2
+    if not farthest <= FARTHEST_M:
+        raise ValueError(f"odometry must stay within {FARTHEST_M:g} m, got poses {farthest:.3g} m apart")
     grid, (x, y, _) = prior_map.grid, log.start
     width_m, height_m = grid.image_shape[1] * grid.scale, grid.image_shape[0] * grid.scale
-    if not grid.contains(grid.metres_to_xy(log.start[:2])):
+    if max(abs(x), abs(y)) > FARTHEST_M or not grid.contains(grid.metres_to_xy(log.start[:2])):
         raise ValueError(f"start must lie on the map of {width_m:.2f} x {height_m:.2f} m, got x {x:g}, y {y:g} m")
     row, col = grid.xy_to_cell(grid.metres_to_xy(log.start[:2]))
     if plan.occupied(prior_map.log_odds)[row, col]:

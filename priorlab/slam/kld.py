@@ -17,6 +17,8 @@ from numpy.typing import NDArray
 
 from priorlab.slam.parameters import TUNED, Parameters
 
+_FARTHEST_BIN = 2**27  # particles this far out share a bin: x, y and theta together must fit into 64 bits
+
 
 def kld_bound(n_bins: int | NDArray[np.int64], parameters: Parameters = TUNED) -> NDArray[np.float64]:
     """Particles that k bins ask for, before the limits (Fox 2003); one bin asks for none.
@@ -35,7 +37,7 @@ def pose_bins(poses: NDArray[np.float64], parameters: Parameters = TUNED) -> NDA
     >>> pose_bins(np.array([[0.6, -0.1, np.radians(-5)]])).tolist()
     [[1, -1, 35]]
     """
-    xy = np.floor(poses[:, :2] / parameters.kld_bin_m).astype(np.int64)
+    xy = np.floor(poses[:, :2] / parameters.kld_bin_m).clip(-_FARTHEST_BIN, _FARTHEST_BIN).astype(np.int64)
     n_theta = theta_bin_count(parameters)
     theta = np.floor((poses[:, 2] % (2 * np.pi)) * (n_theta / (2 * np.pi))).astype(np.int64) % n_theta
     return np.column_stack([xy, theta])
