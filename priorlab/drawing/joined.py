@@ -46,6 +46,9 @@ WIDE = 0.3
 EDGE = 2
 """Ragged edges of solid walls, pixels."""
 
+ALONE = 0.05
+"""A piece of the building that stands alone holds so much of all walls."""
+
 INSIDE = 0.8
 """So much of an added piece lies inside the building."""
 
@@ -105,6 +108,24 @@ def between_ends(windows: NDArray[np.bool_], walls: NDArray[np.bool_]) -> NDArra
             ended[k, labels[rim]] = near[rim]
         kept |= windows & (ended[0] & ended[1])[labels]
     return kept
+
+
+def of_network(walls: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes) -> NDArray[np.bool_]:
+    """Walls that hang together, across doors and windows, without small pieces that stand alone: furniture.
+
+    A piece stays when it holds `ALONE` of all walls, or when a door's jamb stands at it.
+    """
+    whole = cv2.dilate(with_openings(walls, sizes).astype(np.uint8), np.ones((5, 5), np.uint8))
+    for door in doors:
+        start, end = (tuple(round(c) for c in jamb) for jamb in (door.hinge, door.strike))
+        cv2.line(whole, start, end, 1, max(3, round(2 * AT_JAMB * door.width)))
+    n_nets, nets = cv2.connectedComponents(whole, connectivity=8)
+    area = np.bincount(nets[walls], minlength=n_nets)
+    keep = area >= ALONE * area.sum()
+    for door in doors:
+        for x, y in np.rint([door.hinge, door.strike]).astype(int):
+            keep[nets[np.clip(y, 0, len(nets) - 1), np.clip(x, 0, nets.shape[1] - 1)]] = True
+    return walls & keep[nets]
 
 
 def without_thin_outside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
@@ -177,7 +198,7 @@ def _belonging(
     closed = with_openings(walls, sizes, WIDE)
     inside = inside_of(closed)
     reach = max(4, round(sizes.thickness / 2))
-    close = cv2.dilate(walls.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)).astype(bool)
+    close = cv2.dilate(closed.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)).astype(bool)
     thin = np.minimum(run_lengths(extra, 0), run_lengths(extra, 1))
     long = np.maximum(run_lengths(extra, 0), run_lengths(extra, 1))
     found = np.zeros_like(walls)

@@ -13,7 +13,7 @@ from priorlab.core.drawing import EMPTY, WALL, WINDOW, Door, Drawing, Walls
 from priorlab.drawing.corners import corners_of
 from priorlab.drawing.door_ink import door_ink
 from priorlab.drawing.faces import thin_cells, without_lone_bars
-from priorlab.drawing.joined import between_ends, with_edges, with_heavy_ink, with_others, without_thin_outside
+from priorlab.drawing.joined import between_ends, of_network, with_edges, with_heavy_ink, with_others, without_thin_outside
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import outer_walls
 from priorlab.drawing.pieces import WallPiece, wall_pieces
@@ -144,7 +144,7 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         walls = walls | (window_bridges(walls, sheet.lines, longest) & ~symbols)
     if method.sources == "both":
         walls = walls & ~window_panes(thin_cells(outlines, sizes), sizes)
-        walls = without_lone_bars(walls, wall_sizes(sheet.long_side))
+        walls = of_network(without_lone_bars(walls, wall_sizes(sheet.long_side)), scaled, sizes)
         glass = windows_of(sheet, walls, best, sizes)
         walls = walls | (between_ends(glass, walls) & ink & ~symbols)  # not what stands along the wall beside it
     found = sheet.to_input(walls)

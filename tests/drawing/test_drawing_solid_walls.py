@@ -5,7 +5,7 @@ import pytest
 
 from priorlab.core.drawing import Door
 from priorlab.drawing.faces import thin_cells, walls_between
-from priorlab.drawing.joined import with_others
+from priorlab.drawing.joined import of_network, with_others
 from priorlab.drawing.symbol import Symbols, ink_beside
 from priorlab.drawing.wall_sizes import WallSizes
 from priorlab.drawing.walls import choose, door_agreement
@@ -110,3 +110,19 @@ def test_door_agreement_of_walls_without_jambs_is_a_quarter():
     nothing, door = np.zeros((260, 400), dtype=bool), Door((201, 120), (201, 160), (241, 120))
     assert door_agreement(nothing, [door], nothing) == 0.25
     assert door_agreement(_ring(), [Door((60, 100), (60, 140), (100, 100))], nothing) == 1.0
+
+
+def test_of_network_drops_furniture_that_stands_alone():
+    walls, stray, leaf = _ring(), np.zeros((260, 400), dtype=bool), np.zeros((260, 400), dtype=bool)
+    stray[120:126, 150:190] = True
+    leaf[100:140, 240:246] = True  # stands alone, but a door hangs on it
+    door = Door((243, 140), (243, 180), (283, 140))
+    assert np.array_equal(of_network(walls | stray | leaf, [door], SIZES), walls | leaf)
+    assert np.array_equal(of_network(walls | stray | leaf, [], SIZES), walls)
+
+
+def test_of_network_keeps_the_piers_between_windows():
+    walls = _ring()
+    for left in range(80, 330, 40):
+        walls[30:40, left : left + 22] = False
+    assert np.array_equal(of_network(walls, [], SIZES), walls)
