@@ -69,6 +69,8 @@ class OwnMaps:
         self.paths = np.concatenate([self.paths[ancestors], particles.poses[:, None]], axis=1)
         if np.ptp(weighed.log_weights) > 0:
             self.heaviest = int(np.argmax(weighed.log_weights[ancestors]))
+        else:  # nobody weighs more than others: go on with a copy of the one before, or with any when it has none
+            self.heaviest = int(np.argmax(ancestors == self.heaviest))
         self._draw_left(self.paths.shape[1] - 1, scan, way_m)
 
     def redraw(self, paths: NDArray[np.float64], heaviest: int, scans: Sequence[Scan], way_m: NDArray[np.float64]) -> None:

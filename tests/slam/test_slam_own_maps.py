@@ -20,9 +20,10 @@ from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.localization import choose, predict
 from priorlab.slam.map_update import see_cells, update_seen
 from priorlab.slam.measurement import log_weights
+from priorlab.slam.own_maps import OwnMaps
 from priorlab.slam.parameters import TUNED
 from priorlab.slam.particles import Particles, start_particles
-from priorlab.slam.scan import choose_beams, weighing_steps
+from priorlab.slam.scan import Scan, choose_beams, weighing_steps
 from priorlab.slam.tiled_map import TILE, TiledMap
 
 OWN = replace(TUNED, localize_in="own", particle_limits=(9, 12), temper=0.3)
@@ -68,9 +69,13 @@ def drive_with_full_maps(prior_map, log, rng, parameters):
     return np.array(trajectory), np.array(paths), heaviest, map_along(paths[heaviest], np.inf)
 
 
-@pytest.mark.parametrize("lag_m", [0.0, 0.8])
-def test_own_maps_agree_with_full_copies(slam_prior, drive_log, lag_m):
-    log, parameters = first_steps(drive_log, 26), replace(OWN, lag_m=lag_m)
+@pytest.mark.parametrize(
+    ("lag_m", "n_steps", "changes"),
+    [(0.0, 26, {}), (0.8, 26, {}), (9.0, 26, {}), (0.0, 20, {"sigma_hit_m": 0.3, "z_random": 0.3, "max_distance_m": 0.5})],
+    ids=["at once", "behind", "all wait", "wide"],
+)
+def test_own_maps_agree_with_full_copies(slam_prior, drive_log, lag_m, n_steps, changes):
+    log, parameters = first_steps(drive_log, n_steps), replace(OWN, lag_m=lag_m, **changes)
     trajectory, paths, heaviest, drawn = drive_with_full_maps(slam_prior, log, np.random.default_rng(3), parameters)
     slam = FastSLAM(parameters)
     state = slam.start(slam_prior, log, np.random.default_rng(3))
@@ -139,6 +144,19 @@ def test_own_maps_survive_a_particle_off_the_map(slam_prior, drive_log):
         slam_prior, RobotLog(odometry, log.ranges, log.bearings, log.scanner, log.start), np.random.default_rng(0)
     )
     assert np.isfinite(run.trajectory).all() and np.isfinite(run.map.log_odds).all()
+
+
+def test_own_maps_follow_the_heaviest_when_all_weigh_alike_and_fewer_go_on(slam_prior):
+    own = OwnMaps(slam_prior, 30, replace(OWN, particle_limits=(10, 30)))
+    nothing, poses = Scan(np.empty(0), np.empty(0), np.empty(0)), np.arange(90.0).reshape(30, 3)
+    own.update(Particles(poses, np.arange(30.0)), Particles(poses), nothing, 0.0)
+    assert own.heaviest == 29
+    drawn = np.arange(2, 30, 3)  # ten of them, the last one 29
+    own.update(Particles(poses), Particles(poses[drawn], ancestors=drawn), nothing, 1.0)
+    assert own.heaviest == 9 and np.array_equal(own.paths[own.heaviest], [poses[29], poses[29]])
+    own.update(Particles(poses[drawn]), Particles(poses[:3], ancestors=np.array([0, 1, 2])), nothing, 2.0)
+    assert own.heaviest == 0  # it has no copy among those that go on
+    assert np.array_equal(own.map_of_heaviest(), slam_prior.log_odds)
 
 
 window = st.tuples(st.integers(0, 150), st.integers(0, 40), st.integers(0, 200), st.integers(0, 90))
