@@ -195,14 +195,17 @@ def _belonging(
     rim = cv2.dilate(walls.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
     extra = more & ~rim
     n_parts, parts, stats, _ = cv2.connectedComponentsWithStats(extra.astype(np.uint8), connectivity=8)
+    found = np.zeros_like(walls)
+    large = np.flatnonzero(stats[1:, cv2.CC_STAT_WIDTH : cv2.CC_STAT_HEIGHT + 1].max(axis=1) >= sizes.piece_length) + 1
+    if not large.size:
+        return found
     closed = with_openings(walls, sizes, WIDE)
     inside = inside_of(closed)
     reach = max(4, round(sizes.thickness / 2))
     close = cv2.dilate(closed.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)).astype(bool)
-    thin = np.minimum(run_lengths(extra, 0), run_lengths(extra, 1))
-    long = np.maximum(run_lengths(extra, 0), run_lengths(extra, 1))
-    found = np.zeros_like(walls)
-    for k in np.flatnonzero(stats[1:, cv2.CC_STAT_WIDTH : cv2.CC_STAT_HEIGHT + 1].max(axis=1) >= sizes.piece_length) + 1:
+    down, across = (run_lengths(extra, axis) for axis in (0, 1))
+    thin, long = np.minimum(down, across), np.maximum(down, across)
+    for k in large:
         x, y, width, height, area = stats[k]
         top, left = max(0, y - 3), max(0, x - 3)
         window = np.s_[top : y + height + 3, left : x + width + 3]
@@ -227,9 +230,11 @@ def _belonging(
 
 def _line_thickness(ink: NDArray[np.bool_]) -> float:
     """How thick half of all lines are at most, by their length; 0 of nothing."""
+    if not ink.any():
+        return 0.0
     thickness = np.sort(thinner_run(ink)[ink])
     length = np.cumsum(1.0 / thickness)
-    return float(thickness[np.searchsorted(length, length[-1] / 2)]) if thickness.size else 0.0
+    return float(thickness[np.searchsorted(length, length[-1] / 2)])
 
 
 def _jambs_at(part: NDArray[np.bool_], corner: tuple[int, int], doors: Sequence[Door]) -> int:

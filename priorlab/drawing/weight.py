@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from priorlab.drawing.faces import hatch_bands, long_runs, thin_cells, tidy, walls_between
 from priorlab.drawing.long_cells import long_cells
 from priorlab.drawing.preprocessing import NO_HUE
-from priorlab.drawing.runs import gaps_between, label_runs, run_lengths
+from priorlab.drawing.runs import gap_ends, run_lengths
 from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import line_weights, opened, stroke_widths, thinner_run
 from priorlab.drawing.wall_sizes import WallSizes
@@ -174,14 +174,9 @@ def with_openings(walls: NDArray[np.bool_], sizes: WallSizes, widest: float = OP
     """
     whole = walls.copy()
     for axis in (0, 1):
-        gaps = gaps_between(walls, widest * sizes.long_side, axis)
-        labels, along = label_runs(gaps, axis), run_lengths(walls, axis)
-        ends = np.zeros((2, int(labels.max()) + 1), dtype=np.int32)
-        for k, step in enumerate((1, -1)):
-            first = gaps & ~np.roll(gaps, step, axis)
-            ends[k, labels[first]] = np.roll(along, step, axis)[first]
-        across = run_lengths(gaps, 1 - axis)
-        whole |= gaps & (across <= 1.5 * sizes.thickness) & (ends.min(axis=0)[labels] >= END_WALL * across)
+        ends = gap_ends(walls, widest * sizes.long_side, axis)
+        across = run_lengths(ends > 0, 1 - axis)
+        whole |= (across > 0) & (across <= 1.5 * sizes.thickness) & (ends >= END_WALL * across)
     return whole
 
 

@@ -1,11 +1,14 @@
 """Solid walls among furniture: hand-made drawings that each rule decides."""
 
+import re
+
 import numpy as np
 import pytest
 
 from priorlab.core.drawing import Door
 from priorlab.drawing.faces import thin_cells, walls_between
 from priorlab.drawing.joined import of_network, with_others
+from priorlab.drawing.runs import gap_ends
 from priorlab.drawing.symbol import Symbols, ink_beside
 from priorlab.drawing.wall_sizes import WallSizes
 from priorlab.drawing.walls import choose, door_agreement
@@ -126,3 +129,16 @@ def test_of_network_keeps_the_piers_between_windows():
     for left in range(80, 330, 40):
         walls[30:40, left : left + 22] = False
     assert np.array_equal(of_network(walls, [], SIZES), walls)
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_gap_ends_equals_a_walk_along_every_row(axis):
+    mask = np.random.default_rng(5).random((30, 40)) < 0.4
+    found = gap_ends(mask, 3, axis)
+    for row, seen in zip(mask if axis == 1 else mask.T, found if axis == 1 else found.T, strict=True):
+        expected, runs = np.zeros(len(row), dtype=int), "".join("#" if ink else " " for ink in row)
+        for gap in re.finditer("(?<=#) +(?=#)", runs):
+            if len(gap[0]) <= 3:
+                ends = len(re.search("#+$", runs[: gap.start()])[0]), len(re.match("#+", runs[gap.end() :])[0])
+                expected[gap.start() : gap.end()] = min(ends)
+        assert seen.tolist() == expected.tolist()
