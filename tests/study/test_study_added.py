@@ -1,5 +1,7 @@
 """What a robot added to its plan, by hand, and F2 over the steps of a run against one map a step."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -164,8 +166,10 @@ def test_f2_over_time_can_leave_steps_out(drive_in_a_room):
 
 def test_the_box_that_the_plan_lacks_is_what_the_robot_adds(drive_in_a_room):
     run, truth, world = drive_in_a_room
+    knowing = replace(run, trajectory=run.log.truth)  # what a filter of 100 particles makes of it is left to chance
     changes = changes_between(truth, world, run.map.grid)
-    added = what_was_added(changes, counted_map(run).seen, {"map": run.map, "alone": run.prior_map})
+    maps = {"map": knowing.remap(run.prior_map), "alone": run.prior_map}
+    added = what_was_added(changes, counted_map(knowing).seen, maps)
     assert changes.blocked.sum() == 80 and not changes.opened.any()
-    assert added.blocked.seen > 5
-    assert added.blocked.right["map"] > 10 and added.blocked.right["alone"] == 0  # the box's two faces hold 18 cells
+    assert added.blocked.seen > 10
+    assert added.blocked.share["map"] > 0.8 and added.blocked.right["alone"] == 0
