@@ -134,7 +134,8 @@ def localize_on_odd_scans(
 
 
 def into_map_frame(log: RobotLog, max_range_m: float, cell_m: float = CELL_M) -> tuple[RobotLog, Grid]:
-    """Shift a log so that all it sees from its true poses lies on a map whose lower left corner is 0, 0; and that map's grid.
+    """Shift a log so that its true poses and all it sees from them lie on a map whose lower left corner is 0, 0; and that map's
+    grid.
 
     The truth moves; the odometry has a frame of its own and stays.
     """
@@ -143,8 +144,10 @@ def into_map_frame(log: RobotLog, max_range_m: float, cell_m: float = CELL_M) ->
     angles = truth[:, 2:] + log.bearings
     reach = np.where(seen, log.ranges, 0.0)
     x, y = truth[:, :1] + reach * np.cos(angles), truth[:, 1:2] + reach * np.sin(angles)
-    low = np.array([x.min(), y.min()]) - MARGIN_M
-    width, height = np.ceil((np.array([x.max(), y.max()]) + MARGIN_M - low) / cell_m).astype(int)
+    # the robot itself counts too: one that only looks ahead may stand far behind all that it sees
+    low = np.minimum([x.min(), y.min()], truth[:, :2].min(axis=0)) - MARGIN_M
+    high = np.maximum([x.max(), y.max()], truth[:, :2].max(axis=0)) + MARGIN_M
+    width, height = np.ceil((high - low) / cell_m).astype(int)
     shift = np.array([*low, 0.0])
     return replace(log, truth=truth - shift, start=log.start - shift), Grid((int(height), int(width)), 1, cell_m)
 

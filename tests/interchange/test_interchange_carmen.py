@@ -101,6 +101,20 @@ def test_read_carmen_orders_by_stamps(tmp_path):
     assert log.stamps is None and log.odometry[:, 0].tolist() == [1, 3, 2]
 
 
+def test_read_carmen_takes_the_stamp_of_the_measurement_before_the_loggers(tmp_path):
+    (tmp_path / "a.log").write_text(flaser(stamp=7.0).replace("robot 7.0", "robot 9.5"))
+    assert read_carmen(tmp_path / "a.log").stamps.tolist() == [7.0]
+
+
+def test_read_carmen_turns_between_odom_lines_the_short_way(tmp_path):
+    wheels = [f"ODOM {x} 0 {theta} 0 0 0 {t} robot {t}\n" for t, x, theta in ((0.5, 3, 3.1), (1.5, 4, -3.1), (2.5, 5, -2.9))]
+    scans = [flaser(poses=f"{x} 0 0 {x} 0 0", stamp=float(x)) for x in (1, 2)]
+    (tmp_path / "a.log").write_text("".join(wheels + scans))
+    log = read_carmen(tmp_path / "a.log")
+    assert np.allclose(log.odometry[:, 0], [3.5, 4.5]) and np.allclose(np.abs(log.odometry[:, 2]), [np.pi, 3.0])
+    assert np.allclose(log.truth[:, 0], [1, 2])
+
+
 def test_read_carmen_takes_the_loggers_stamp_for_a_missing_one(tmp_path):
     (tmp_path / "a.log").write_text(flaser().replace("7.0 robot", "0 robot"))
     assert read_carmen(tmp_path / "a.log").stamps.tolist() == [7.0]

@@ -75,8 +75,13 @@ def slow_see(grid, pose, scan, parameters):
 
 @pytest.mark.parametrize(
     "parameters",
-    [THIN, replace(TUNED, thickening_m=0.35), replace(TUNED, free_on_no_return=True)],
-    ids=["thin", "thick", "open"],
+    [
+        THIN,
+        replace(TUNED, thickening_m=0.35),
+        replace(TUNED, free_on_no_return=True),
+        replace(TUNED, free_on_no_return=True, max_range_m=4.3),
+    ],
+    ids=["thin", "thick", "open", "open and far"],
 )
 def test_see_cells_agrees_with_slow_rays(parameters):
     rng = np.random.default_rng(0)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from priorlab.core.building import Truth
-from priorlab.core.grid_map import Prior
+from priorlab.core.grid_map import GridMap, Prior
 from priorlab.core.readings import RobotLog
 from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.lost import lost_because
@@ -228,6 +228,8 @@ def test_lost_because_asks_the_truth_first(drive_log):
     astray = truth + np.where(np.arange(270) < 100, 0.0, 1.5)[:, None] * [1, 0, 0]
     sentence = "the estimate is more than 1 m off the true position from step 100, at worst 1.5 m"
     assert lost_because(astray, free, fine, log) == sentence
+    strayed = truth + np.where(np.arange(270) == 140, 1.1, 0.9)[:, None] * [0, 1, 0]  # and found its way back
+    assert "from step 140, at worst 1.1 m" in lost_because(strayed, free, fine, log)
 
 
 def test_lost_because_reads_three_signs_without_the_truth(drive_log):
@@ -258,3 +260,5 @@ def test_run_knows_when_it_drives_through_walls(run):
     shifted = replace(run, log=blind, trajectory=run.trajectory + [0, 1.6, 0])
     assert "the estimate stands in walls of the plan" in shifted.lost_because
     assert replace(run, log=blind, trajectory=run.trajectory + [500, 0, 0]).lost
+    unknown = GridMap(np.zeros_like(run.prior_map.log_odds), run.prior_map.grid)
+    assert replace(run, log=blind, prior_map=unknown).lost_because is None  # what nobody knows is no wall

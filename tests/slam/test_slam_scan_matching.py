@@ -155,9 +155,14 @@ def test_match_scan_does_not_trust_what_the_map_does_not_explain():
 
 
 def test_match_scan_on_the_rim_of_its_window_is_not_trusted():
-    scan = look(ROOM, [2.5, 1.7, 0], np.radians(np.arange(-180, 180, 4)))
-    match = match_scan(scan, ROOM_FIELD, [3.0, 1.7, 0.0], Window(spread_m=0.2, reach=1.0))
-    assert not match.trusted
+    scan = look(ROOM, [3.5, 2.5, 0], np.radians(np.arange(-180, 180, 4)))
+    assert not match_scan(scan, ROOM_FIELD, [4.0, 2.5, 0.0], Window(spread_m=0.2, reach=1.0)).trusted
+    moved, turned = Window(spread_m=0.2, reach=1.0), Window(spread_turn=0.2, reach=1.0)
+    for guess, window in (([3.74, 2.5, 0.0], moved), ([3.5, 2.26, 0.0], moved), ([3.5, 2.5, 0.23], turned)):
+        match = match_scan(scan, ROOM_FIELD, guess, window)
+        assert match.distrusted_because == "the best pose lies on the rim of the window"
+    near = match_scan(scan, ROOM_FIELD, [3.5, 2.5, 0.18], turned)  # the rim is at 0.2007
+    assert near.trusted and abs(near.pose[2]) < 0.01
 
 
 def test_match_scan_says_what_is_wrong():

@@ -101,6 +101,23 @@ def _step(start, end):
     return np.array([way.real, way.imag, end[2] - start[2]])
 
 
+def test_localize_on_odd_scans_has_its_map_from_the_even_ones_alone(hall):
+    few = replace(LASER, particle_limits=(5, 5))
+    row = localize_on_odd_scans(hall[1], 0, few)
+    shifted, grid = into_map_frame(hall[1], 20.0)
+    np.testing.assert_array_equal(row.run.prior_map.log_odds, map_from_truth(every_other(shifted, 0), grid, few).log_odds)
+    np.testing.assert_array_equal(row.run.log.ranges, hall[1].ranges[1::2])
+
+
+def test_into_map_frame_holds_the_robot_when_it_only_looks_ahead():
+    eyes = Scanner(n_beams=3, field_of_view=0.2, min_range_m=0.1, max_range_m=20.0)
+    truth = np.array([[5.0, 5.0, 0.0], [5.5, 5.0, 0.0]])
+    log = RobotLog(truth, np.full((2, 3), 6.0), eyes.bearings, eyes, truth[0], truth)
+    shifted, grid = into_map_frame(log, 20.0)
+    assert grid.contains(grid.metres_to_xy(shifted.truth[:, :2])).all()
+    assert np.allclose(shifted.truth[0, :2], [1.0, 1.0 + 6 * np.sin(0.1)], atol=0.01)  # a metre of room behind it
+
+
 def test_localize_on_odd_scans_says_what_is_missing(hall):
     log = hall[1]
     with pytest.raises(ValueError, match="must hold true poses"):
