@@ -74,7 +74,7 @@ def read_ros_yaml(path: Path) -> RosYaml:
         raise FileNotFoundError(f"the map's yaml must be a file, found none at {path}")
     try:
         values = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (yaml.YAMLError, UnicodeDecodeError) as broken:
+    except (yaml.YAMLError, ValueError) as broken:  # ValueError: no text, or a date that cannot be
         where = str(broken).splitlines()[-1].strip()
         raise ValueError(f"the map's yaml must be readable, got a broken file: {path} ({where})") from None
     if not isinstance(values, dict):
@@ -104,4 +104,7 @@ def _number(name: str, value: Any) -> float:
     """A yaml value as a float, or a sentence."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ValueError(f"{name} must be a number, got {value!r}")
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{name} must be a number, got one of {len(str(value))} digits") from None

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_rng
+from priorlab.core.checks import check_record, check_rng
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
 from priorlab.core.shipped import nearest_name
@@ -95,6 +95,8 @@ class FastSLAM:
     def start(self, prior_map: GridMap, log: RobotLog, rng: np.random.Generator) -> State:
         """The state before the first step; arguments, errors and warnings are those of `run`."""
         rng = check_rng(rng)
+        check_record("prior_map", prior_map, GridMap)
+        check_record("log", log, RobotLog)
         parameters = self.parameters
         plan = LikelihoodField.of(prior_map, parameters)
         _check_start(plan, prior_map, log)

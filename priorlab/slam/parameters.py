@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
-from priorlab.core.checks import check_positive, check_probability
+from priorlab.core.checks import as_float, check_positive, check_probability, check_whole
 from priorlab.core.log_odds import OCCUPIED_IN_FIELD
 from priorlab.core.sensor import check_sensor_model
 
@@ -117,22 +117,25 @@ class Parameters:
             check_probability(name, getattr(self, name))
         check_sensor_model(self.p_free, self.p_occupied)
         for name, n_values in (("alphas", 4), ("start_variances", 3)):
-            values = tuple(float(value) for value in getattr(self, name))
-            if len(values) != n_values or not all(math.isfinite(value) and value >= 0 for value in values):
+            values = _as_numbers(getattr(self, name))
+            if len(values) != n_values or not all(value >= 0 for value in values):
                 raise ValueError(f"{name} must be {n_values} finite numbers of at least 0, got {getattr(self, name)}")
             object.__setattr__(self, name, values)  # a list is as good as a tuple, but a record must hash
-        if len(self.sensor_offset_m) != 2 or not all(math.isfinite(value) for value in self.sensor_offset_m):
+        offset = _as_numbers(self.sensor_offset_m)
+        if len(offset) != 2:
             raise ValueError(f"sensor_offset_m must be two finite numbers x, y, got {self.sensor_offset_m}")
-        object.__setattr__(self, "sensor_offset_m", tuple(float(value) for value in self.sensor_offset_m))
+        object.__setattr__(self, "sensor_offset_m", offset)
         for name in ("n_beams", "resampling_interval"):
-            if getattr(self, name) < 1:
-                raise ValueError(f"{name} must be at least 1, got {getattr(self, name)}")
-        fewest, most = (int(limit) for limit in self.particle_limits)
-        if not 1 <= fewest <= most:
+            object.__setattr__(self, name, check_whole(name, getattr(self, name)))
+        limits = _as_numbers(self.particle_limits)
+        if len(limits) != 2 or not (1 <= limits[0] <= limits[1] and all(limit.is_integer() for limit in limits)):
             raise ValueError(f"particle_limits must be the fewest, at least 1, and the most, got {self.particle_limits}")
+        fewest, most = (int(limit) for limit in limits)
         object.__setattr__(self, "particle_limits", (fewest, most))
         if self.localize_in == "own" and most > MOST_OWN_MAPS:
             raise ValueError(f"particle_limits must be at most {MOST_OWN_MAPS} for a map per particle, got {most}")
+        for name in ("temper", "lam", "weigh_every_m", "weigh_every_theta", "lag_m", "thickening_m"):
+            as_float(name, getattr(self, name))
         if not 0 < self.temper <= 1:
             raise ValueError(f"temper must lie in (0, 1], got {self.temper:g}")
         if not 0 <= self.lam <= 1:
@@ -143,6 +146,15 @@ class Parameters:
         for name, choices in _CHOICES.items():
             if getattr(self, name) not in choices:
                 raise ValueError(f"{name} must be one of {', '.join(choices)}, got {getattr(self, name)!r}")
+
+
+def _as_numbers(values: Any) -> tuple[float, ...]:
+    """The values as finite floats; none when they are something else, which the check of their number then says."""
+    try:
+        numbers = tuple(float(value) for value in values)
+    except (TypeError, ValueError):
+        return ()
+    return numbers if all(map(math.isfinite, numbers)) else ()
 
 
 _CHOICES = {

@@ -11,6 +11,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from priorlab.core.checks import check_whole
+
 
 def resample(
     weights: ArrayLike,
@@ -35,7 +37,7 @@ def resample(
     Raises
     ------
     ValueError
-        When a weight is negative or nan, when they do not sum to 1, or when n_draws is below 1.
+        When a weight is negative or nan, when they do not sum to 1, or when n_draws is no whole number of at least 1.
 
     >>> resample([0.5, 0.0, 0.25, 0.25], 4, np.random.default_rng(0)).tolist()
     [0, 0, 2, 3]
@@ -47,8 +49,7 @@ def resample(
         raise ValueError(f"weights must not be negative or nan, got {weights[~(weights >= 0)][0]:g}")
     if not abs(weights.sum() - 1.0) <= 1e-9:
         raise ValueError(f"weights must sum to 1, got {weights.sum():.6g}")
-    if n_draws < 1:
-        raise ValueError(f"n_draws must be at least 1, got {n_draws}")
+    n_draws = check_whole("n_draws", n_draws)
     if method == "systematic":
         positions = (np.arange(n_draws) + rng.random()) / n_draws
     elif method == "stratified":

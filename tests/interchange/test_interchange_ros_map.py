@@ -223,6 +223,7 @@ GOOD = dict(image="m.pgm", resolution=0.05, origin=[0, 0, 0], negate=0, occupied
     [
         (dict(resolution=0), "resolution must be a finite number above 0"),
         (dict(resolution="fine"), "resolution must be a number"),
+        (dict(resolution=10**400), "resolution must be a number, got one of 401 digits"),
         (dict(origin=[0, 0]), "origin must be three"),
         (dict(origin=0), "origin must be three"),
         (dict(occupied_thresh=1.2), "occupied_thresh must lie between 0 and 1, got 1.2"),
@@ -249,6 +250,9 @@ def test_read_ros_map_tells_missing_and_broken_files_apart(tmp_path):
         read_ros_map(path)
     path.write_bytes(b"\xff\xfe\x00\x81")
     with pytest.raises(ValueError, match="must be readable"):
+        read_ros_map(path)
+    path.write_text("resolution: 2001-99-99\n")  # yaml takes it for a date
+    with pytest.raises(ValueError, match="the map's yaml must be readable"):
         read_ros_map(path)
     path.write_text("just words\n")
     with pytest.raises(ValueError, match="must hold names and values, got str"):

@@ -66,6 +66,15 @@ def test_resume_ends_like_a_run_that_was_never_interrupted(tmp_path, slam_prior,
     assert_same(load_run(tmp_path / "drive.npz"), whole)
 
 
+def test_resume_keeps_weights_that_wait_for_a_draw(tmp_path, slam_prior, log):
+    few, never = shorter(log, 14), FastSLAM(particle_limits=(50, 50), resampling_interval=1000, weigh_every_m=0.0)
+    whole = never.run(slam_prior, few, np.random.default_rng(2))
+    with pytest.raises(KeyboardInterrupt):
+        run_with_checkpoints(never, slam_prior, few, np.random.default_rng(2), tmp_path / "a", every=4, progress=interrupt_at(10))
+    assert_same(resume(tmp_path / "a"), whole)
+    assert whole.ess[7] < 49.9  # the particles of the record at step 8 do not weigh alike
+
+
 @pytest.mark.parametrize("generator", ["MT19937", "Philox", "SFC64", "PCG64DXSM"])
 def test_resume_goes_on_with_any_generator(tmp_path, slam_prior, log, generator):
     few = shorter(log, 12)

@@ -227,6 +227,10 @@ def test_run_says_where_a_robot_cannot_start(slam_prior, drive_log, start, sente
 def test_run_says_when_the_log_is_empty(slam_prior, drive_log):
     with pytest.raises(ValueError, match="the log must hold at least one scan, got 0"):
         FastSLAM().run(slam_prior, first_steps(drive_log, 0), np.random.default_rng(0))
+    with pytest.raises(ValueError, match="prior_map must be a GridMap, got"):
+        FastSLAM().run(slam_prior.p_empty, drive_log, np.random.default_rng(0))
+    with pytest.raises(ValueError, match="log must be a RobotLog, got"):
+        FastSLAM().run(slam_prior, drive_log.ranges, np.random.default_rng(0))
 
 
 def test_run_says_when_there_is_no_wall_to_localize_by(floor, drive_log, prior_of):
@@ -255,7 +259,15 @@ def test_run_warns_when_the_prior_is_surer_than_the_sensor(floor, drive_log, pri
         ({"weigh_every_m": -0.1}, "weigh_every_m must be a finite number of at least 0, got -0.1"),
         ({"weigh_every_theta": np.nan}, "weigh_every_theta must be a finite number of at least 0, got nan"),
         ({"lag_m": -1}, "lag_m must be a finite number of at least 0, got -1"),
-        ({"n_beams": 0}, "n_beams must be at least 1, got 0"),
+        ({"n_beams": 0}, "n_beams must be a whole number of at least 1, got 0"),
+        ({"n_beams": 1.5}, "n_beams must be a whole number of at least 1, got 1.5"),
+        ({"resampling_interval": np.nan}, "resampling_interval must be a whole number of at least 1, got nan"),
+        ({"alphas": 0.2}, "alphas must be 4 finite numbers of at least 0, got 0.2"),
+        ({"alphas": (np.inf,) * 4}, "alphas must be 4 finite numbers of at least 0"),
+        ({"sensor_offset_m": 0.1}, "sensor_offset_m must be two finite numbers x, y, got 0.1"),
+        ({"particle_limits": 500}, "particle_limits must be the fewest, at least 1, and the most, got 500"),
+        ({"particle_limits": (1.5, 3)}, "particle_limits must be the fewest"),
+        ({"lam": "one"}, "lam must be a number, got 'one'"),
         ({"noise": "sd"}, "noise must be one of variance, std, got 'sd'"),
         ({"localize_in": "mine"}, "localize_in must be one of updated, static, own, got 'mine'"),
         ({"p_free": 0.1}, "p_free must be above p_occupied, got 0.1 and 0.2"),

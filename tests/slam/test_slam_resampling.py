@@ -122,7 +122,8 @@ def test_resample_never_draws_a_weight_of_zero_at_either_end():
         ([1.5, -0.5], 2, "systematic", "weights must not be negative or nan, got -0.5"),
         ([np.nan, 1.0], 2, "systematic", "weights must not be negative or nan, got nan"),
         ([], 2, "systematic", "weights must be a list of at least one number"),
-        ([1.0], 0, "systematic", "n_draws must be at least 1, got 0"),
+        ([1.0], 0, "systematic", "n_draws must be a whole number of at least 1, got 0"),
+        ([1.0], 2.5, "systematic", "n_draws must be a whole number of at least 1, got 2.5"),
         ([1.0], 2, "residual", "resampling must be one of systematic, stratified, multinomial, got 'residual'"),
     ],
 )

@@ -11,6 +11,7 @@ from priorlab.core.score import score_map
 from priorlab.slam.counting import counted_map
 from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.parameters import TUNED
+from priorlab.study.added import changes_between
 from priorlab.study.confidence import T_95, Confidence
 from priorlab.study.office_floor import (
     ALONE,
@@ -48,6 +49,18 @@ def test_scores_are_those_of_maps_made_one_scan_after_another(row):
     assert row.scores[ALONE] == score_map(row.run.prior_map, truth, 0.5)
     assert row.coverage == pytest.approx(row.run.coverage(truth))
     assert row.gain_percent == pytest.approx(100 * (row.scores[WITH].f_beta / row.scores[WITHOUT].f_beta - 1))
+
+
+def test_added_counts_what_was_seen_and_nothing_else(row):
+    added, counted = row.added, counted_map(row.run)
+    changes = changes_between(row.floor.truth, row.floor.world, row.run.map.grid)
+    blocked = changes.blocked & (counted.hits + counted.misses > 0)
+    assert 0 < added.blocked.seen == blocked.sum() < added.blocked.cells == changes.blocked.sum()
+    assert added.blocked.right[WITH] == (blocked & (row.run.map.p_empty < 0.5 - 1e-9)).sum()
+    assert added.blocked.right[COUNTING] == (blocked & (counted.hits > counted.misses)).sum()
+    assert added.blocked.right[ALONE] == (blocked & (row.run.prior_map.p_empty < 0.5)).sum()
+    doorways = sorted(int(doorway.sum()) for doorway in changes.doorways)
+    assert sorted(doorway.cells for doorway in added.doorways) == doorways and len(doorways) == 2
 
 
 @pytest.mark.parametrize("lam", [0.0, 1.0])
