@@ -22,6 +22,7 @@ from priorlab.study.office_floor import (
     FloorCondition,
     FloorRun,
     drive_floor,
+    furnished,
     plan_as_prior,
     run_floor,
 )
@@ -99,12 +100,15 @@ def test_wheels_scanner_and_furniture_have_seeds_apart():
     np.testing.assert_array_equal(log.truth, worse_wheels.truth)
     assert np.abs(log.odometry - worse_wheels.odometry).max() > 0
     assert (drive_floor(None, 0.002, 0.06, 2)[0].world.obstacles == floor.world.obstacles).all()  # the description's furniture
+    loose = [furnished(0.3, 0.06, seed) for seed in (1, 2)]
+    assert (loose[0].world.obstacles != loose[1].world.obstacles).any() and (loose[0].truth.walls == loose[1].truth.walls).all()
 
 
 def test_without_a_plan_the_map_holds_only_what_was_seen():
     row = run_floor(replace(ONE_ROOM, plan="none"), 0)
     seen = row.evidence.seen | (row.run.prior_map.log_odds != 0)
     assert (row.run.map.log_odds[~seen] == 0).all() and (row.run.map.log_odds[seen] != 0).any()
+    assert row.run.parameters.lam == 0 and row.run.parameters.localize_in == "updated"  # the first scan counts as a scan
 
 
 def test_the_filter_takes_worse_wheels_for_worse():
