@@ -52,6 +52,10 @@ class WallPiece:
     length: float
     kind: Literal["wall", "window"] = "wall"
 
+    def __repr__(self) -> str:
+        x, y, width, height = self.box
+        return f"WallPiece({self.kind}, {width} x {height} px at {x}, {y}, confidence {self.confidence:.2f})"
+
 
 def wall_pieces(
     walls: NDArray[np.bool_],

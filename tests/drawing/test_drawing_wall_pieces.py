@@ -213,6 +213,7 @@ def test_wall_pieces_trust_what_hypotheses_share():
     assert upper.box == (10, 10, 280, 8) and upper.mask.all()
     assert upper.agreement == pytest.approx(1) and lower.agreement == pytest.approx(1 / 6)
     assert upper.confidence > lower.confidence > 0
+    assert repr(upper).startswith("WallPiece(wall, 280 x 8 px at 10, 10, confidence ")
 
 
 def test_wall_pieces_doubt_a_thickness_that_no_wall_has():
