@@ -84,7 +84,7 @@ def _alpha(rng: np.random.Generator, seed: int) -> Exercise:
         mistakes=(
             Mistake(lambda: 100 * alpha * step**2, "that is b itself, taken for a deviation (variance for standard deviation)."),
             Mistake(lambda: 100 * alpha * step, "alpha times the step: take the root of alpha, it belongs to a variance."),
-            Mistake(lambda: math.sqrt(alpha * step**2), "in metres that is right; asked are centimetres."),
+            Mistake(lambda: math.sqrt(alpha * step**2), "those look like metres; asked are centimetres."),
             Mistake(lambda: 100 * math.sqrt(alpha), "that is for a step of one metre."),
             Mistake(lambda: 100 * math.sqrt(alpha * step), "the step stands squared in b = alpha_3 trans^2."),
             Mistake(lambda: 1e4 * alpha * step**2, "those are square centimetres, the variance; take the root."),
@@ -97,41 +97,41 @@ def _alpha(rng: np.random.Generator, seed: int) -> Exercise:
 def _honest() -> Exercise:
     """Which gains may be shown?"""
 
-    def right(gains: Sequence[float], ates: Sequence[float]) -> float:
+    def right(gains: Sequence[float], worst_m: Sequence[float]) -> float:
         """The mean over the runs that were not lost."""
-        return float(np.mean([gain for gain, ate in zip(gains, ates, strict=True) if ate <= 1]))
+        return float(np.mean([gain for gain, off in zip(gains, worst_m, strict=True) if off <= 1]))
 
     def wrong(rule: Callable[[Sequence[float], Sequence[float]], Any], says: str) -> Mistake:
         """Another rule."""
         return Mistake(lambda: rule, says)
 
-    def picked(gains: Sequence[float], ates: Sequence[float], keep: Callable[[float], bool]) -> float:
+    def picked(gains: Sequence[float], worst_m: Sequence[float], keep: Callable[[float], bool]) -> float:
         """The mean over some runs; 0 for none."""
-        kept = [gain for gain, ate in zip(gains, ates, strict=True) if keep(ate)]
+        kept = [gain for gain, off in zip(gains, worst_m, strict=True) if keep(off)]
         return float(np.mean(kept)) if kept else 0.0
 
     return Exercise(
         asks=(
-            "Write a function of two lists, the gains of some runs (per cent) and their ATE (metres), that returns the\n"
-            "mean gain of the runs that were not lost: those with an ATE of at most 1 m."
+            "Write a function of two lists, the gains of some runs (per cent) and how far each was off at worst (metres), that\n"
+            "returns the mean gain of the runs that were not lost: those that were at most 1 m off."
         ),
         answer=lambda: right,
         because="a lost robot leaves its walls unseen, so the plan keeps them and the gain grows: it must not count.",
         mistakes=(
-            wrong(lambda gains, ates: float(np.mean(gains)), "the lost runs are in it, and theirs are the largest gains."),
-            wrong(lambda gains, ates: picked(gains, ates, lambda ate: ate > 1), "those are the LOST runs: turned round."),
-            wrong(lambda gains, ates: float(np.median(gains)), "the median hides lost runs, it does not leave them out."),
+            wrong(lambda gains, worst_m: float(np.mean(gains)), "the lost runs are in it, and theirs are the largest gains."),
+            wrong(lambda gains, worst_m: picked(gains, worst_m, lambda off: off > 1), "those are the LOST runs: turned round."),
+            wrong(lambda gains, worst_m: float(np.median(gains)), "the median hides lost runs, it does not leave them out."),
             wrong(
-                lambda gains, ates: picked(gains, ates, lambda ate: ate <= 1) * np.mean([ate <= 1 for ate in ates]),
+                lambda gains, worst_m: picked(gains, worst_m, lambda off: off <= 1) * np.mean([off <= 1 for off in worst_m]),
                 "divided by the number of ALL runs; only those that count make the mean.",
             ),
-            wrong(lambda gains, ates: picked(gains, ates, lambda ate: ate < 1), "'at most 1 m' holds at 1 m itself."),
-            wrong(lambda gains, ates: float(max(gains)), "that is the largest gain, most likely of a lost robot."),
-            wrong(lambda gains, ates: sum(ate <= 1 for ate in ates), "that counts the runs; asked is their mean gain."),
+            wrong(lambda gains, worst_m: picked(gains, worst_m, lambda off: off < 1), "'at most 1 m' holds at 1 m itself."),
+            wrong(lambda gains, worst_m: float(max(gains)), "that is the largest gain, most likely of a lost robot."),
+            wrong(lambda gains, worst_m: sum(off <= 1 for off in worst_m), "that counts the runs; asked is their mean gain."),
         ),
         hints=(
-            "keep the gains whose ATE is at most 1, then take the mean.",
-            "np.mean([g for g, a in zip(gains, ates) if a <= 1]).",
+            "keep the gains of those at most 1 m off, then take the mean.",
+            "np.mean([gain for gain, off in zip(gains, worst_m) if off <= 1]).",
         ),
         inputs=(
             ([60.0, 70.0, 1000.0], [0.1, 0.2, 15.0]),
