@@ -53,6 +53,8 @@ P_EMPTY = [[0.9, 0.9, 0.1], [0.5, 0.85, 0.3]]
 
 
 def test_write_ros_map_trinary_writes_0_205_254_and_the_yaml_of_the_field(tmp_path):
+    turned = write_ros_map(tmp_path / "turned.yaml", some_map(P_EMPTY), origin=(1, -2, 0.5))
+    assert read_ros_map(turned).origin == (1, -2, 0.5)
     path = write_ros_map(tmp_path / "flat.yaml", some_map(P_EMPTY), origin=(1, -2, 0))
     assert yaml.safe_load(path.read_text()) == {
         "image": "flat.pgm", "mode": "trinary", "resolution": 0.05, "origin": [1.0, -2.0, 0.0],

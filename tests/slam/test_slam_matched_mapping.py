@@ -41,6 +41,8 @@ def test_map_by_matching_beats_the_wheels(hall, matched):
     wheels = absolute_trajectory_error_m(dead_reckoning(log), log.truth)
     assert matched.ate_m() < min(0.1, wheels / 3)
     assert matched.heading_error_deg() < 1.0
+    turns = np.angle(np.exp(1j * (matched.trajectory[:, 2] - log.truth[:, 2])))
+    assert matched.heading_error_deg() == pytest.approx(np.degrees(np.median(np.abs(turns))))
     assert matched.trusted.mean() > 0.9 and np.isnan(matched.explained[0])
 
 

@@ -143,6 +143,21 @@ def test_sample_is_some_of_the_particles_to_the_millimetre():
     near = np.abs(sample[:, None] - poses).max(axis=2).min(axis=1)
     assert near.max() <= 0.0005 + 1e-6
     assert sample.mean(axis=0) == pytest.approx(poses.mean(axis=0), abs=0.03)
+    line = np.outer(np.arange(1000.0), [1, 0, 0])  # spread over all of them: copies of one particle lie in a row
+    recorder.add(SimpleNamespace(pose=line[0], weighed=Particles(line), particles=Particles(line)), 0.5)
+    assert recorder.samples[1][[0, -1], 0].tolist() == [0, 999] and np.diff(recorder.samples[1][:, 0]).max() <= 4
+
+
+def test_run_tells_its_errors_in_metres_and_degrees(run):
+    truth, rng = run.log.truth, np.random.default_rng(0)
+    off = rng.normal(0, [0.1, 0.2, 0.3], truth.shape)
+    off[5, 2] = np.radians(359)  # one degree the short way
+    other = replace(run, trajectory=truth + off)
+    assert other.ate_m() == pytest.approx(np.sqrt((off[:, 0] ** 2 + off[:, 1] ** 2).mean()))
+    turns = np.abs(np.degrees(np.angle(np.exp(1j * off[:, 2]))))
+    assert other.heading_error_deg() == pytest.approx(np.median(turns))
+    drift = np.degrees(np.angle(np.exp(1j * np.diff(off[:, 2]))))
+    assert other.rpe_deg() == pytest.approx(np.sqrt(np.mean(drift**2)))
 
 
 @pytest.mark.parametrize("far_m", [0.0, -50.0, 9e5])
