@@ -46,7 +46,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         return int(arguments.act(arguments))
     except KeyboardInterrupt:
-        print("priorlab: interrupted; nothing was left half written", file=sys.stderr)
+        go_on = (
+            "once the drive has begun, --resume goes on with it"
+            if arguments.act is _localize
+            else "nothing was left half written"
+        )
+        print(f"priorlab: interrupted; {go_on}", file=sys.stderr)
         return INTERRUPTED
     except BrokenPipeError:  # `priorlab buildings | head -1`: the reader has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -111,6 +116,12 @@ def _parser() -> argparse.ArgumentParser:
         "--max-range", type=float, metavar="M", help="beams from here on do not count (the laser's, at most 20)"
     )
     localize.add_argument("--wheel-noise", type=float, metavar="A", help="all four alphas of algorithm 6.3 (default 0.01)")
+    localize.add_argument(
+        "--map-mode",
+        choices=("trinary", "scale", "raw"),
+        default="trinary",
+        help="of the ROS map that is written (%(default)s): trinary is sure or unknown, scale and raw keep every percent",
+    )
     localize.add_argument("--resume", action="store_true", help="go on with a drive that was interrupted")
     _where(localize, out="out/localize")
     localize.set_defaults(act=_localize)
@@ -204,7 +215,7 @@ def _localize(arguments: argparse.Namespace) -> int:
     check_place(arguments.out, arguments.force, keep=[arguments.log, arguments.map])
     import math
 
-    from priorlab.report.own_log import WHEEL_NOISE, drive_own_log, read_own_log, write_own_log
+    from priorlab.report.own_log import WHEEL_NOISE, drive_own_log, numbers_of_run, read_own_log, write_own_log
 
     tell = _Clock()
     tell("the log and the map")
@@ -218,12 +229,18 @@ def _localize(arguments: argparse.Namespace) -> int:
     tell(f"FastSLAM on {len(own.log)} scans; Ctrl-C stops it, --resume goes on")
     run = drive_own_log(own, part, arguments.seed, arguments.resume, arguments.force, _Steps())
     tell("results")
-    notes = write_own_log(run, own, out, arguments.command_line, arguments.force)
+    notes = write_own_log(run, own, out, arguments.command_line, arguments.force, arguments.map_mode)
     part.unlink()
     print(f"\n  {run.summary(log=own.corrected)}")
+    if own.corrected is not None:
+        print("  the errors are against the log's corrected poses, laid on the start: they cannot tell a wrong start")
+    explained = numbers_of_run(run, own.corrected)["median_beams_explained"]
+    if explained is not None:
+        print(f"  the plan's walls explain {100 * explained:.0f} % of a scan's beams (median)")
     for note in notes:
         print(f"  {note}")
-    print(f"\n  {out / 'map.png'}, map.yaml, trajectory.tum, run.npz, numbers.json")
+    corrected = "" if own.corrected is None else "corrected.tum, "
+    print(f"\n  {out / 'map.png'}, map.yaml, trajectory.tum, {corrected}run.npz, numbers.json")
     return LOST if run.lost else GOOD
 
 

@@ -22,7 +22,7 @@ from priorlab.core.readings import RobotLog
 from priorlab.drawing.extraction import extract_walls
 from priorlab.interchange.carmen import read_carmen
 from priorlab.interchange.images import read_drawing
-from priorlab.interchange.ros_map import read_ros_map, write_ros_map
+from priorlab.interchange.ros_map import Mode, read_ros_map, write_ros_map
 from priorlab.interchange.trajectories import write_tum
 from priorlab.mapping.prior import build_prior_map
 from priorlab.pipeline import SLAM_CELL_M, SLAM_PRIOR
@@ -170,7 +170,9 @@ def drive_own_log(
     return resume(part, progress)
 
 
-def write_own_log(run: Run, own: OwnLog, out: str | Path, command: str, force: bool = False) -> list[str]:
+def write_own_log(
+    run: Run, own: OwnLog, out: str | Path, command: str, force: bool = False, map_mode: Mode = "trinary"
+) -> list[str]:
     """Write what came of it into a new folder; what there is to say about it, in sentences.
 
     run.npz; trajectory.tum, and corrected.tum when the log has such poses, in the frame of the map that came in; map.yaml and
@@ -183,7 +185,7 @@ def write_own_log(run: Run, own: OwnLog, out: str | Path, command: str, force: b
         for name, way in ways.items():
             if way is not None:
                 write_tum(folder / f"{name}.tum", compose(np.asarray(own.origin), way), run.log.stamps)
-        write_ros_map(folder / "map.yaml", run.map, origin=own.origin)
+        write_ros_map(folder / "map.yaml", run.map, map_mode, own.origin)
         grid = run.map.grid
         drawn = picture(lambda ax: draw_map(run.map, ax, run.trajectory), "", "", size_for(grid.shape))
         (folder / "map.png").write_bytes(drawn.png)

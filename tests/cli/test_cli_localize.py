@@ -82,6 +82,19 @@ def test_localize_writes_the_run_the_way_and_the_map(place, done):
     assert cv2.imread(str(out / "map.png")).shape[0] > 100
 
 
+def test_localize_keeps_every_percent_when_asked_and_tells_what_the_errors_are(place, tmp_path, capsys):
+    (folder, log), out = place, tmp_path / "out"
+    start = degrees_at(compose(np.array(ORIGIN), log.start))
+    assert main(localize(folder, "drive.log.gz", "plan.yaml", out, start, "--map-mode", "scale")) == 0
+    kept = read_ros_map(out / "map.yaml")
+    percents = np.rint(100 * (1 - load_run(out / "run.npz").map.p_empty))
+    assert kept.mode == "scale" and np.abs(kept.occupancy - percents).max() <= 1
+    said = capsys.readouterr().out
+    explained = json.loads((out / "numbers.json").read_text())["median_beams_explained"]
+    assert f"the plan's walls explain {100 * explained:.0f} % of a scan's beams (median)" in said
+    assert "they cannot tell a wrong start" in said and "corrected.tum" in said
+
+
 def test_localize_speaks_in_the_frame_of_the_map_that_came_in(place, done):
     (_, log), (out, _) = place, done
     _, way = read_tum(out / "trajectory.tum")
