@@ -62,10 +62,9 @@ def _table(rng: np.random.Generator) -> Outcome:
         numbers,
         verdict_of(list(holds.values())),
         f"on the first rooms, five seeds: as printed {n_lost(printed)} of 5 robots get lost (ATE {ate_of(printed).told()} m), "
-        f"TUNED {n_lost(tuned)} ({ate_of(tuned).told()} m); one printed value alone loses a robot when it is "
-        f"{', '.join(guilty) or 'none of them'}, and the two that do most harm are {_harm(worst, broken)}; mending one alone "
-        "saves all five when it is "
-        f"{', '.join(healing) or 'none of them'}",
+        f"TUNED {n_lost(tuned)} ({ate_of(tuned).told()} m); printed values that lose a robot on their own: "
+        f"{', '.join(guilty) or 'none'}, and the two that do most harm are {_harm(worst, broken)}; values whose mending alone saves "
+        f"all five: {', '.join(healing) or 'none'}",
         "The ways of one robot with the printed and with the tuned values on the plan; a table of errors with one value changed.",
     )
 
