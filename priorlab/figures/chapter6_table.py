@@ -63,8 +63,8 @@ def _table(rng: np.random.Generator) -> Outcome:
         verdict_of(list(holds.values())),
         f"on the first rooms, five seeds: as printed {n_lost(printed)} of 5 robots get lost (ATE {ate_of(printed).told()} m), "
         f"TUNED {n_lost(tuned)} ({ate_of(tuned).told()} m); printed values that lose a robot on their own: "
-        f"{', '.join(guilty) or 'none'}, and the two that do most harm are {_harm(worst, broken)}; values whose mending alone saves "
-        f"all five: {', '.join(healing) or 'none'}",
+        f"{', '.join(guilty) or 'none'}, and the two that do most harm are {_harm(worst, broken)}; values whose mending alone "
+        f"saves all five: {', '.join(healing) or 'none'}",
         "The ways of one robot with the printed and with the tuned values on the plan; a table of errors with one value changed.",
     )
 
