@@ -99,11 +99,11 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
     ),
     "the mean of two rooms": (LOCALIZE, "slam/estimate.py", "heaviest = cluster ==", "heaviest = cluster >= 0 *", 4),
     "weights forgotten": (LOCALIZE, "slam/localization.py", "particles.log_weights + log_weights(", "log_weights(", 5),
-    "squares without their root": (
+    "squares summed, not averaged": (
         FASTSLAM,
         "slam/trajectory_error.py",
         "np.sqrt(np.mean(np.square(position_errors_m(",
-        "(np.mean(np.square(position_errors_m(",
+        "np.sqrt(np.sum(np.square(position_errors_m(",
         1,
     ),
     "l0 added in eq. 6.2": (FASTSLAM, "slam/map_update.py", "- parameters.lam * looked", "+ parameters.lam * looked", 2),
