@@ -15,7 +15,7 @@ Pose = tuple[float, float, float]
 def exercises(seed: int = 0) -> dict[str, Exercise]:
     """The exercises of notebook 08 with one learner's numbers."""
     rng = np.random.default_rng([8, seed])
-    return {"08.parts": _parts(), "08.beam": _beam(rng, seed), "08.ess": _ess(rng, seed), "08.residual": _residual()}
+    return {"08.parts": _parts(), "08.beam": _beam(rng, seed), "08.ess": _ess(rng, seed), "08.residual": _residual(rng)}
 
 
 # --- algorithm 6.3 ---------------------------------------------------------------------------------------------------
@@ -179,11 +179,18 @@ def _ess(rng: np.random.Generator, seed: int) -> Exercise:
 
 # --- resampling ------------------------------------------------------------------------------------------------------
 
-_WEIGHTS: tuple[tuple[list[float]], ...] = (
-    ([0.04, 0.24, 0.06, 0.50, 0.16],),
-    ([0.08, 0.08, 0.09, 0.09, 0.66],),
-    ([0.02, 0.08, 0.42, 0.24, 0.24],),
-)
+_NUMBERS_OF_PARTICLES = (5, 4, 6, 7, 9)  # different ones: with one alone, a 5 in place of N would pass
+
+
+def _weights(rng: np.random.Generator, n: int) -> list[float]:
+    """The weights of n particles, in percents. Under every rule below something is left over, and no N w is whole."""
+    while True:
+        cuts = np.sort(rng.choice(np.arange(1, 100), n - 1, replace=False))
+        percents = np.diff(cuts, prepend=0, append=100)
+        owed = [n * int(percent) for percent in percents]  # in percents
+        floors, rounds = (sum(rule(one / 100) for one in owed) for rule in (math.floor, round))
+        if all(one % 50 for one in owed) and floors not in (0, 1, n) and rounds != n:
+            return [int(percent) / 100 for percent in percents]
 
 
 def _left_over(shares: Callable[[int, float], float], normalize: bool = True) -> Callable[[Sequence[float]], list[float]]:
@@ -197,8 +204,8 @@ def _left_over(shares: Callable[[int, float], float], normalize: bool = True) ->
     return residual
 
 
-def _residual() -> Exercise:
-    """The line that filterpy has wrong."""
+def _residual(rng: np.random.Generator) -> Exercise:
+    """The line that filterpy has wrong, asked for beliefs of several sizes."""
 
     def copies(n: int, weight: float) -> int:
         """Whole copies of one particle."""
@@ -239,6 +246,6 @@ def _residual() -> Exercise:
             "a particle is owed N w copies and has got floor(N w).",
             "residual = N w - floor(N w), divided by its sum.",
         ),
-        inputs=_WEIGHTS,
+        inputs=tuple((_weights(rng, n),) for n in _NUMBERS_OF_PARTICLES),
         tolerance=1e-6,
     )

@@ -56,17 +56,25 @@ class Exercise:
 
     def other_kind(self, given: Any) -> str | None:
         """What an answer is instead of what was asked for: no numbers, or too many of them; None when it is of the right kind."""
-        one, right = as_numbers(given), as_numbers(self.values(self.answer()))
-        if one is None:
-            seen = given[0] if self.inputs else given
-            return f"that is no number but {type(seen).__name__}." if right is not None else None
-        if right is None or one.shape == right.shape:
-            return None
-        start = 1 if self.inputs else 0  # one answer for each input
-        return f"asked is {_shape(right.shape[start:])}, you gave {_shape(one.shape[start:])}."
+        for seen, asked in self._pairs(given, self.values(self.answer())):
+            one, right = as_numbers(seen), as_numbers(asked)
+            if right is None or (one is not None and one.shape == right.shape):
+                continue
+            if one is None:
+                return f"that is no number but {type(seen).__name__}."
+            return f"asked is {_shape(right.shape)}, you gave {_shape(one.shape)}."
+        return None
 
     def agree(self, first: Any, second: Any) -> bool:
-        """True when two answers are one."""
+        """True when two answers are one; of functions, when they return the same on every input."""
+        return all(self._same(one, other) for one, other in self._pairs(first, second))
+
+    def _pairs(self, first: Any, second: Any) -> list[tuple[Any, Any]]:
+        """What is held against each other: of functions what they return on each input, which may differ in length."""
+        return list(zip(first, second, strict=True)) if self.inputs else [(first, second)]
+
+    def _same(self, first: Any, second: Any) -> bool:
+        """True for numbers of one shape that lie within the tolerance."""
         one, other = as_numbers(first), as_numbers(second)
         if one is None or other is None or one.shape != other.shape:
             return False

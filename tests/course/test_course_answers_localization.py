@@ -54,6 +54,26 @@ def test_08_residual_pays_everybody_their_due_and_filterpy_does_not(monkeypatch)
         assert np.abs(paid - n * np.array(weights)).max() > 0.3  # upstream's bug: issue 290
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("written_in", [4, 5, 6, 7, 9])
+def test_08_residual_wants_the_number_of_particles_and_not_one_that_is_written_in(written_in, seed):
+    def hard_coded(weights):
+        left_over = np.array(weights) * written_in % 1
+        return left_over / left_over.sum()
+
+    assert not check("08.residual", hard_coded, seed).right
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_08_residual_asks_what_can_be_answered(seed):
+    for (weights,) in exercises(seed)["08.residual"].inputs:
+        owed = len(weights) * np.array(weights)
+        assert sum(weights) == pytest.approx(1) and min(weights) > 0
+        assert np.abs(owed - np.rint(owed)).min() > 0.009  # no N w that rounding could push over a whole number
+    right = exercises(seed)["08.residual"].answer()
+    assert check("08.residual", right, seed).right
+
+
 def test_08_residual_filterpys_line_is_told_by_name():
     def as_in_filterpy(weights):
         residual = np.array(weights) - np.floor(len(weights) * np.array(weights))
