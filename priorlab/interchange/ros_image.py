@@ -60,20 +60,26 @@ def check_mode(channels: NDArray[np.float64], description: RosYaml) -> None:
             )
 
 
-def read_channels(folder: Path, image: str) -> NDArray[np.float64]:
-    """(rows, cols, 3 or 4) red, green, blue and, when the image has it, alpha; 0 to 1."""
-    picture = open_image(_inside(folder, image), "the map's image", _IMAGES)
+def read_channels(described_by: Path, image: str) -> NDArray[np.float64]:
+    """(rows, cols, 3 or 4) red, green, blue and, when the image has it, alpha; 0 to 1. `described_by` is its yaml file."""
+    picture = open_image(_inside(described_by, image), "the map's image", _IMAGES)
     if picture.mode.startswith("I"):
         return np.repeat(np.asarray(picture, dtype=np.float64)[..., None] / 65535, 3, axis=2)
     return np.asarray(picture.convert("RGBA" if picture.has_transparency_data else "RGB"), dtype=np.float64) / 255
 
 
-def _inside(folder: Path, image: str) -> Path:
-    """Where the image lies; a yaml from elsewhere shall not make us open any file of this computer."""
-    below = os.path.relpath(folder / image, folder)
-    if below.split(os.sep)[0] == os.pardir:
+def _inside(described_by: Path, image: str) -> Path:
+    """Where the image lies; a yaml from elsewhere shall not make us open any file of this computer, nor shall a link.
+
+    A yaml may be reached by a link itself (installed workspaces are full of them): its image lies beside the link, or beside
+    the file that the link leads to.
+    """
+    folders = (described_by.parent, Path(os.path.realpath(described_by)).parent)
+    place = next((folder / image for folder in folders if (folder / image).exists()), folders[0] / image)
+    real = Path(os.path.realpath(place))
+    if not any(real.is_relative_to(os.path.realpath(folder)) for folder in folders):
         raise ValueError(f"image must lie in the folder of its yaml, or below, got {image!r}")
-    return folder / below
+    return real
 
 
 def encode(grey: NDArray[np.uint8], image_format: str) -> bytes:

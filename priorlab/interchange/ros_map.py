@@ -176,7 +176,7 @@ def read_ros_map(path: str | os.PathLike[str]) -> RosMap:
     """
     path = Path(path)
     description = read_ros_yaml(path)
-    channels = read_channels(path.parent, description.image)
+    channels = read_channels(path, description.image)
     check_mode(channels, description)
     rows, cols = channels.shape[:2]
     return RosMap(

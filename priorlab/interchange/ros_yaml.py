@@ -85,7 +85,7 @@ def read_ros_yaml(path: Path) -> RosYaml:
     origin = values["origin"]
     if not isinstance(origin, list):
         raise ValueError(f"origin must be three finite numbers x, y, yaw, got {origin!r}")
-    if not isinstance(values["image"], str) or not values["image"]:
+    if not isinstance(values["image"], str) or not values["image"] or "\0" in values["image"]:
         raise ValueError(f"image must be the name of a file, got {values['image']!r}")
     if (negate := values.get("negate", 0)) not in (0, 1):
         raise ValueError(f"negate must be 0 or 1, got {negate!r}")

@@ -146,6 +146,55 @@ def test_read_ros_map_opens_no_image_outside_the_yamls_folder(tmp_path, image):
         read_ros_map(tmp_path / "maps" / "m.yaml")
 
 
+def place_map(folder):
+    """A yaml and its image in a new folder."""
+    folder.mkdir(parents=True)
+    cv2.imwrite(str(folder / "m.pgm"), np.array([[0, 254]], np.uint8))
+    (folder / "m.yaml").write_text(yaml.safe_dump(GOOD | dict(image="m.pgm")))
+
+
+@pytest.mark.parametrize("linked", ["m.pgm", "images"])
+def test_read_ros_map_follows_no_link_out_of_the_yamls_folder(tmp_path, linked):
+    place_map(tmp_path / "elsewhere" / "images")
+    (tmp_path / "maps").mkdir()
+    targets = {"m.pgm": "images/m.pgm", "images": "images"}
+    (tmp_path / "maps" / linked).symlink_to(tmp_path / "elsewhere" / targets[linked])
+    (tmp_path / "maps" / "m.yaml").write_text(
+        yaml.safe_dump(GOOD | dict(image={"m.pgm": "m.pgm", "images": "images/m.pgm"}[linked]))
+    )
+    with pytest.raises(ValueError, match="image must lie in the folder of its yaml, or below"):
+        read_ros_map(tmp_path / "maps" / "m.yaml")
+
+
+@pytest.mark.parametrize("links", [["m.yaml"], ["m.yaml", "m.pgm"], ["folder"]])
+def test_read_ros_map_takes_a_yaml_that_is_reached_by_a_link(tmp_path, links):
+    """An installed workspace: the yaml, or it and its image, or the whole folder are links to the sources."""
+    place_map(tmp_path / "sources")
+    if links == ["folder"]:
+        (tmp_path / "installed").symlink_to(tmp_path / "sources")
+    else:
+        (tmp_path / "installed").mkdir()
+        for name in links:
+            (tmp_path / "installed" / name).symlink_to(tmp_path / "sources" / name)
+    assert read_ros_map(tmp_path / "installed" / "m.yaml").occupancy.tolist() == [[100, 0]]
+
+
+def test_read_ros_map_prefers_the_image_beside_the_link(tmp_path):
+    place_map(tmp_path / "sources")
+    (tmp_path / "installed").mkdir()
+    (tmp_path / "installed" / "m.yaml").symlink_to(tmp_path / "sources" / "m.yaml")
+    cv2.imwrite(str(tmp_path / "installed" / "m.pgm"), np.array([[254, 0]], np.uint8))
+    assert read_ros_map(tmp_path / "installed" / "m.yaml").occupancy.tolist() == [[0, 100]]
+
+
+def test_read_ros_map_tells_a_link_that_leads_to_itself(tmp_path):
+    place_map(tmp_path / "maps")
+    (tmp_path / "maps" / "m.pgm").unlink()
+    (tmp_path / "maps" / "m.pgm").symlink_to(tmp_path / "maps" / "m.pgm")
+    with pytest.raises(FileNotFoundError, match="the map's image must be a file, found nothing"):
+        read_ros_map(tmp_path / "maps" / "m.yaml")
+
+
 def test_read_ros_map_takes_the_whole_path_of_an_image_beside_the_yaml(tmp_path):
     cv2.imwrite(str(tmp_path / "m.pgm"), np.array([[0, 254]], np.uint8))
     (tmp_path / "m.yaml").write_text(yaml.safe_dump(GOOD | dict(image=str(tmp_path / "m.pgm"))))
