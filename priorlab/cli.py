@@ -59,8 +59,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     except (ValueError, OSError) as mistake:  # a sentence with name, rule and value
         if arguments.traceback:
             traceback.print_exc()
-        print(f"priorlab: {' '.join(str(mistake).split())}", file=sys.stderr)
+        print(f"priorlab: {_as_typed(' '.join(str(mistake).split()), arguments)}", file=sys.stderr)
         return BAD_INPUT
+
+
+def _as_typed(sentence: str, arguments: argparse.Namespace) -> str:
+    """The sentence with an option's name as one types it: `max_range_m` of the code is `--max-range` here."""
+    name, _, rest = sentence.partition(" ")
+    option = name.removesuffix("_m")
+    return f"--{option.replace('_', '-')} {rest}" if option in vars(arguments) else sentence
 
 
 def _seed(text: str) -> int:
@@ -124,7 +131,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     localize.add_argument("--resume", action="store_true", help="go on with a drive that was interrupted")
     _where(localize, out="out/localize")
-    localize.set_defaults(act=_localize)
+    localize.set_defaults(act=_localize, seed=None)  # with --resume, none is the one that the drive began with
 
     figures = commands.add_parser("figures", help="a figure or table of the thesis anew: ours, with numbers and a verdict")
     figures.add_argument("name", nargs="?", metavar="NAME", help="as --list has it; 'all' makes every one")
@@ -151,7 +158,7 @@ def _where(command: argparse.ArgumentParser, out: str | None) -> None:
     words = "folder for the results" + (" (default %(default)s)" if out else "")
     command.add_argument("--out", default=out, required=out is None, metavar="DIR", help=words)
     command.add_argument("--force", action="store_true", help="replace what priorlab made there")
-    command.add_argument("--seed", type=_seed, default=0, help="of everything random (default %(default)s)")
+    command.add_argument("--seed", type=_seed, default=0, help="of everything random (default 0)")
 
 
 def _how_to_run(command: argparse.ArgumentParser, out: str | None, method: str) -> None:

@@ -26,7 +26,7 @@ def new_folder(path: str | Path, force: bool = False, keep: Sequence[str | Path]
 
     Parameters
     ----------
-    path : where it will stand
+    path : where it will stand; an empty folder there is taken
     force : replace a folder that stands there and that priorlab made
     keep : what must not go with the folder that is replaced; the working folder never goes
 
@@ -78,23 +78,34 @@ def check_place(path: str | Path, force: bool = False, keep: Sequence[str | Path
     Raises
     ------
     FileExistsError
-        When something stands there and `force` is not given, or stands there that priorlab did not make.
+        When something else than an empty folder stands there and `force` is not given, or stands there that priorlab did
+        not make.
     ValueError
-        When it holds the working folder or something of `keep`, or when nothing can be written there.
+        When it holds the working folder or something of `keep`, when a disk is mounted there, or when nothing can be written
+        there.
     """
     if not str(path):
         raise ValueError("the folder for the results must have a name, got ''")
-    check_free(path, force)
+    if not _is_empty_folder(path):
+        check_free(path, force)
     place = Path(path).resolve()
     if os.path.lexists(path):
         for needed in (Path.cwd(), *(Path(one).resolve() for one in keep)):
             if needed == place or place in needed.parents:
-                raise ValueError(f"the folder for the results must not hold {needed}, got {path}: --force would remove it")
+                how = "--force would remove it" if force else "it would be replaced"
+                raise ValueError(f"the folder for the results must not hold {needed}, got {path}: {how}")
+        if os.path.ismount(place):  # it cannot be renamed, and that would come out after all the work
+            raise ValueError(f"the folder for the results must not be a mounted disk, got {path}: choose a folder on it")
         if not place.is_dir() or (any(place.iterdir()) and not (place / MARK).exists()):
             raise FileExistsError(f"{path} is not a folder that priorlab made: --force replaces no other, choose another place")
     standing = next(folder for folder in place.parents if folder.exists())
     if not standing.is_dir() or not os.access(standing, os.W_OK):
         raise ValueError(f"the folder for the results must lie where one can write, got {path} below {standing}")
+
+
+def _is_empty_folder(path: str | Path) -> bool:
+    """Whether a folder without anything in it stands at `path` itself: a link to one leads elsewhere, and would be replaced."""
+    return os.path.isdir(path) and not os.path.islink(path) and not os.listdir(path)
 
 
 def check_free(path: str | Path, force: bool = False) -> None:

@@ -28,8 +28,8 @@ from priorlab.mapping.prior import build_prior_map
 from priorlab.pipeline import SLAM_CELL_M, SLAM_PRIOR
 from priorlab.plot.maps import map as draw_map
 from priorlab.report.pictures import picture, size_for
-from priorlab.slam.checkpoint import inputs_of, resume, run_with_checkpoints
-from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.checkpoint import inputs_of, resume, run_with_checkpoints, state_of
+from priorlab.slam.fastslam import FARTHEST_M, FastSLAM
 from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.recording import Run
 from priorlab.slam.run_file import save_run
@@ -86,6 +86,8 @@ def read_own_log(
     Poses that a mapper has corrected lie in a frame of their own. Laid on the start, they tell how well the robot kept track, but
     not whether the start was right: so they are not taken for the truth when it is asked whether the robot got lost.
     """
+    if check_number("wheel_noise", wheel_noise) < 0:
+        raise ValueError(f"wheel_noise must not be negative, got {wheel_noise:g}")
     prior_map, origin = _read_prior_map(Path(map_path), metres_per_pixel)
     log = read_carmen(log_path)
     here = relative(np.asarray(origin), check_poses("start", [start])[0])
@@ -94,6 +96,8 @@ def read_own_log(
     off_m, off_turn = (check_number("start_error", value) for value in start_error)
     if min(off_m, off_turn) < 0:
         raise ValueError(f"start_error must not be negative, got {off_m:g} m, {off_turn:g} radians")
+    if max(off_m, off_turn) > FARTHEST_M:
+        raise ValueError(f"start_error must be at most {FARTHEST_M:g}, got {off_m:g} m, {off_turn:g} radians")
     farthest = min(log.scanner.max_range_m, LONGEST_M) if max_range_m is None else check_positive("max_range_m", max_range_m)
     return OwnLog(
         prior_map,
@@ -124,8 +128,13 @@ def _read_prior_map(path: Path, metres_per_pixel: float | None) -> tuple[GridMap
             raise ValueError(f"metres_per_pixel must not be given with a ROS map, which knows its own, got {metres_per_pixel:g}")
         ros = read_ros_map(path)
         return ros.to_prior_map(SLAM_PRIOR), ros.origin
+    yaml = next((beside for suffix in (".yaml", ".yml") if (beside := path.with_suffix(suffix)).is_file()), None)
+    if path.suffix.lower() == ".pgm":
+        found = f"give {yaml}, which lies beside it" if yaml else "no yaml of its name lies beside it"
+        raise ValueError(f"map must be the yaml of a ROS map or a drawing, got the image of a ROS map, {path}: {found}")
     if metres_per_pixel is None:
-        raise ValueError("metres_per_pixel must be given with a drawing: a robot's ranges are in metres, got None")
+        or_yaml = f"; for a ROS map give {yaml}" if yaml else ""
+        raise ValueError(f"metres_per_pixel must be given with a drawing: a robot's ranges are in metres, got none{or_yaml}")
     drawing = read_drawing(path, metres_per_pixel)
     walls = Walls(extract_walls(drawing).walls.labels, drawing.metres_per_pixel, drawing.name)
     if not walls.mask.any():
@@ -136,38 +145,51 @@ def _read_prior_map(path: Path, metres_per_pixel: float | None) -> tuple[GridMap
 def drive_own_log(
     own: OwnLog,
     part: Path,
-    seed: int,
+    seed: int | None = None,
     go_on: bool = False,
     force: bool = False,
     progress: Callable[[int, int], None] | None = None,
 ) -> Run:
     """FastSLAM through the log; what is done so far lies in `part`, and with `go_on` it is gone on with.
 
+    Parameters
+    ----------
+    seed : of the filter; None is 0, and with `go_on` the one that the drive began with
+
     Raises
     ------
     FileExistsError
         When an interrupted drive lies there and neither `go_on` nor `force` is given.
     ValueError
-        When the one that lies there is another log's, or began elsewhere.
+        When the one that lies there is another log's, or began with other numbers or another seed.
     """
     if not go_on:
         if os.path.lexists(part) and not force:
             raise FileExistsError(f"{part} holds a drive that was interrupted: go on with --resume, or begin anew with --force")
-        fast_slam, rng = FastSLAM(own.parameters), np.random.default_rng(seed)
+        fast_slam, rng = FastSLAM(own.parameters), np.random.default_rng(seed or 0)
         return run_with_checkpoints(fast_slam, own.prior_map, own.log, rng, part, progress=progress, force=force)
-    prior_map, log, parameters = inputs_of(part)
-    same = parameters == own.parameters and all(
-        np.array_equal(one, other, equal_nan=True)
-        for one, other in (
-            (prior_map.log_odds, own.prior_map.log_odds),
-            (log.ranges, own.log.ranges),
-            (log.odometry, own.log.odometry),
-            (log.start, own.log.start),
-        )
-    )
-    if not same:
-        raise ValueError(f"{part} must be a drive with this log, map, start and range to go on with it, got another one's")
+    if other := _begun_otherwise(own, seed, part):
+        raise ValueError(f"{', '.join(other)} must be as {part} began with, to go on with it, got another")
     return resume(part, progress)
+
+
+def _begun_otherwise(own: OwnLog, seed: int | None, part: Path) -> list[str]:
+    """What differs between a drive that was begun and the one that is asked for, by the names of the options."""
+    prior_map, log, parameters, rng = inputs_of(part)
+    wished = own.parameters
+    arrays = [(getattr(log, name), getattr(own.log, name)) for name in ("odometry", "ranges", "bearings")]
+    same = {
+        "the log": log.scanner == own.log.scanner and all(np.array_equal(*pair, equal_nan=True) for pair in arrays),
+        "--map": (prior_map.grid, prior_map.prior) == (own.prior_map.grid, own.prior_map.prior)
+        and np.array_equal(prior_map.log_odds, own.prior_map.log_odds),
+        "--start": np.array_equal(log.start, own.log.start),
+        "--start-error": parameters.start_variances == wished.start_variances,
+        "--max-range": parameters.max_range_m == wished.max_range_m,
+        "--wheel-noise": parameters.alphas == wished.alphas,
+        "--seed": seed is None or rng == state_of(np.random.default_rng(seed)),
+    }
+    other = [name for name, is_same in same.items() if not is_same]
+    return other or ([] if parameters == wished else ["priorlab's own numbers"])
 
 
 def write_own_log(

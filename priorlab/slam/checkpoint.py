@@ -38,7 +38,7 @@ from priorlab.slam.state import State
 EVERY = 50
 """Steps between two records: what a crash may cost at most."""
 
-_FORMAT = "priorlab checkpoint 1"
+_FORMAT = "priorlab checkpoint 2"
 _GENERATORS = ("PCG64", "PCG64DXSM", "MT19937", "Philox", "SFC64")
 
 Progress = Callable[[int, int], None]
@@ -77,7 +77,7 @@ def run_with_checkpoints(
     if generator not in _GENERATORS:
         raise ValueError(f"rng must draw from one of {', '.join(_GENERATORS)} to be gone on with, got {generator}")
     check_free(path, force)
-    words = {"every": every, "generator": generator}
+    words = {"every": every, "generator": generator, "rng": state_of(rng)}
     state = fast_slam.start(prior_map, log, rng)
     first = pack_record(inputs_as_arrays(_FORMAT, prior_map, log, fast_slam.parameters, **words))
     write_file(path, first + pack_record(_news(state, 0, 0)))
@@ -113,12 +113,22 @@ def resume(path: str | Path, progress: Progress | None = None) -> Run:
     return _drive_on(fast_slam, state, path, every, progress)
 
 
-def inputs_of(path: str | Path) -> tuple[GridMap, RobotLog, Parameters]:
-    """What the drive in a checkpoint started from; errors as `resume` has them."""
+def inputs_of(path: str | Path) -> tuple[GridMap, RobotLog, Parameters, dict[str, Any]]:
+    """What the drive in a checkpoint started from, `rng` as `state_of` tells it; errors as `resume` has them."""
     content = _content(Path(path))
     with _sentence(Path(path)):
-        prior_map, log, parameters, _ = inputs_from_arrays(_FORMAT, arrays_of(whole_records(content)[0][0]))
-    return prior_map, log, parameters
+        prior_map, log, parameters, words = inputs_from_arrays(_FORMAT, arrays_of(whole_records(content)[0][0]))
+        return prior_map, log, parameters, words["rng"]
+
+
+def state_of(rng: np.random.Generator) -> dict[str, Any]:
+    """Where a generator stands, in words that JSON keeps: two that draw the same numbers have the same."""
+    return dict(json.loads(_state_as_json(rng)))
+
+
+def _state_as_json(rng: np.random.Generator) -> str:
+    """The generator's state."""
+    return json.dumps(rng.bit_generator.state, default=np.ndarray.tolist)
 
 
 def _content(path: Path) -> bytes:
@@ -167,7 +177,7 @@ def _news(state: State, since: int, shared: int) -> dict[str, Any]:
         "samples": np.concatenate([np.empty((0, 3), dtype=np.float32), *steps.samples[since:]]),
         "particles": state.particles.poses,
         "log_weights": state.particles.log_weights,
-        "generator": np.array(json.dumps(state.rng.bit_generator.state, default=np.ndarray.tolist)),
+        "generator": np.array(_state_as_json(state.rng)),
     }
 
 

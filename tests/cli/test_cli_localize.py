@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -161,18 +162,26 @@ def test_localize_goes_on_after_an_interruption(place, done, tmp_path):
 @pytest.mark.parametrize(
     ("change", "sentence"),
     [
-        ({"--map": "plan.png"}, "metres_per_pixel must be given with a drawing"),
-        ({"--metres-per-pixel": "0.1"}, "metres_per_pixel must not be given with a ROS map"),
+        (
+            {"--map": "plan.png"},
+            "--metres-per-pixel must be given with a drawing: a robot's ranges are in metres, got none; for a",
+        ),
+        ({"--metres-per-pixel": "0.1"}, "--metres-per-pixel must not be given with a ROS map"),
         ({"--map": "none.yaml"}, "the map's yaml must be a file, found none"),
         ({"log": "none.log"}, "the log must be a file, found none"),
         ({"log": "plan.png"}, "a CARMEN log must be text"),
-        ({"start": ["0", "0", "0"]}, "start must lie on the map, which reaches 11.00 x 6.00 m from x -10, y 5, got x 0, y 0 m"),
+        (
+            {"start": ["0", "0", "0"]},
+            "priorlab: --start must lie on the map, which reaches 11.00 x 6.00 m from x -10, y 5, got x 0, y 0 m",
+        ),
         ({"start": ["nan", "0", "0"]}, "start must be finite numbers"),
-        ({"--max-range": "-1"}, "max_range_m must be a finite number above 0, got -1"),
-        ({"--wheel-noise": "-1"}, "alphas must be 4 finite numbers of at least 0"),
+        ({"--max-range": "-1"}, "priorlab: --max-range must be a finite number above 0, got -1"),
+        ({"--wheel-noise": "-0.1"}, "priorlab: --wheel-noise must not be negative, got -0.1"),
+        ({"--wheel-noise": "nan"}, "priorlab: --wheel-noise must be a finite number, got nan"),
         ({"--resume": None}, "a checkpoint must lie at"),
-        ({"--start-error": ["nan", "5"]}, "start_error must be a finite number, got nan"),
-        ({"--start-error": ["-1", "0"]}, "start_error must not be negative, got -1 m, 0 radians"),
+        ({"--start-error": ["1e200", "5"]}, "priorlab: --start-error must be at most 1e+06, got 1e+200 m"),
+        ({"--start-error": ["nan", "5"]}, "--start-error must be a finite number, got nan"),
+        ({"--start-error": ["-1", "0"]}, "--start-error must not be negative, got -1 m, 0 radians"),
     ],
 )
 def test_localize_says_what_is_wrong(place, tmp_path, capsys, change, sentence):
@@ -200,6 +209,90 @@ def test_localize_guards_a_drive_that_was_interrupted(place, tmp_path, capsys):
     assert (tmp_path / "out.part").read_bytes() == b"torn"
 
 
+@pytest.fixture(scope="module")
+def begun(place, tmp_path_factory):
+    """A drive that was begun with seed 3 in the drawing, and interrupted after its first step; the command for it."""
+    folder, log = place
+    out = tmp_path_factory.mktemp("begun") / "out"
+    own = read_own_log(folder / "blind.log", folder / "plan.png", START, 0.05, max_range_m=6.0)
+
+    def stop(done, to_do):
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        drive_own_log(own, out.with_name("out.part"), seed=3, progress=stop)
+    return {
+        "--map": [str(folder / "plan.png")], "--metres-per-pixel": ["0.05"], "--start": ["1", "1.5", "0"],
+        "--max-range": ["6"], "--out": [str(out)], "--resume": [],
+    }  # fmt: skip
+
+
+def resumed(folder, options, log_name="blind.log"):
+    """The exit code of localize with these options."""
+    return main(["localize", str(folder / log_name), *(word for name, words in options.items() for word in (name, *words))])
+
+
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [
+        ({"--seed": ["4"]}, "--seed"),
+        ({"--seed": ["0"]}, "--seed"),
+        ({"--start": ["1.1", "1.5", "0"]}, "--start"),
+        ({"--start-error": ["0.1", "5"]}, "--start-error"),
+        ({"--max-range": ["5"]}, "--max-range"),
+        ({"--wheel-noise": ["0.02"]}, "--wheel-noise"),
+        ({"--metres-per-pixel": ["0.1"], "--start": ["1", "1.5", "0"]}, "--map"),  # as many cells, twice as large
+        ({"--seed": ["4"], "--max-range": ["5"]}, "--max-range, --seed"),
+    ],
+)
+def test_localize_goes_on_with_the_numbers_of_its_drive_only(place, begun, capsys, change, named):
+    part = begun["--out"][0] + ".part"
+    with open(part, "rb") as file:
+        before = file.read()
+    assert resumed(place[0], begun | change) == 2
+    said = capsys.readouterr().err
+    assert f"priorlab: {named} must be as {part} began with, to go on with it, got another" in said and said.count("\n") == 1
+    with open(part, "rb") as file:
+        assert file.read() == before
+
+
+def test_localize_goes_on_with_the_log_of_its_drive_only(place, begun, tmp_path, capsys):
+    lines = (place[0] / "blind.log").read_text().splitlines(keepends=True)
+    (tmp_path / "shorter.log").write_text("".join(lines[:-1]))
+    assert resumed(place[0], begun, tmp_path / "shorter.log") == 2
+    assert "priorlab: the log must be as" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("seed", [None, 3])
+def test_localize_goes_on_with_the_seed_of_its_drive(place, begun, tmp_path, seed):
+    """The seed need not be told again; told, it is the same."""
+    folder, out = place[0], tmp_path / "out"
+    shutil.copy(begun["--out"][0] + ".part", tmp_path / "out.part")
+    assert resumed(folder, begun | {"--out": [str(out)]} | ({} if seed is None else {"--seed": [str(seed)]})) in (0, 5)
+    own = read_own_log(folder / "blind.log", folder / "plan.png", START, 0.05, max_range_m=6.0)
+    whole = FastSLAM(own.parameters).run(own.prior_map, own.log, np.random.default_rng(3))
+    np.testing.assert_array_equal(load_run(out / "run.npz").trajectory, whole.trajectory)
+
+
+def test_localize_points_from_the_image_of_a_ros_map_to_its_yaml(place, tmp_path, capsys):
+    folder, _ = place
+    assert main(localize(folder, "blind.log", "plan.pgm", tmp_path / "out", degrees_at(START))) == 2
+    said = capsys.readouterr().err
+    assert "priorlab: --map must be the yaml of a ROS map or a drawing, got the image of a ROS map" in said
+    assert f"give {folder / 'plan.yaml'}, which lies beside it" in said
+    (tmp_path / "alone.pgm").write_bytes((folder / "plan.pgm").read_bytes())
+    assert main(localize(folder, "blind.log", tmp_path / "alone.pgm", tmp_path / "out", degrees_at(START))) == 2
+    assert "no yaml of its name lies beside it" in capsys.readouterr().err
+
+
+def test_localize_fills_an_empty_folder(place, tmp_path):
+    folder, _ = place
+    (tmp_path / "out").mkdir()
+    command = localize(folder, "blind.log", "plan.png", tmp_path / "out", degrees_at(START), "--metres-per-pixel", "0.05")
+    assert main(command) in (0, 5)
+    assert (tmp_path / "out" / "run.npz").exists() and [path.name for path in tmp_path.iterdir()] == ["out"]
+
+
 def test_localize_goes_on_with_its_own_drive_only(place, tmp_path, capsys):
     folder, log = place
     own = read_own_log(folder / "blind.log", folder / "plan.yaml", tuple(compose(np.array(ORIGIN), log.start)))
@@ -212,5 +305,5 @@ def test_localize_goes_on_with_its_own_drive_only(place, tmp_path, capsys):
     elsewhere = compose(np.array(ORIGIN), log.start + [0.1, 0, 0])
     command = localize(folder, "blind.log", "plan.yaml", tmp_path / "out", degrees_at(elsewhere), "--resume")
     assert main(command) == 2
-    assert "must be a drive with this log, map, start and range to go on with it" in capsys.readouterr().err
+    assert f"--start must be as {tmp_path / 'out.part'} began with, to go on with it, got another" in capsys.readouterr().err
     assert os.listdir(tmp_path) == ["out.part"]

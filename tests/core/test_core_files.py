@@ -49,11 +49,33 @@ def test_new_folder_replaces_its_own_with_force(tmp_path):
     assert names(tmp_path) == ["out"] and names(tmp_path / "out") == [".priorlab", "new.txt"]
 
 
-def test_new_folder_takes_an_empty_place_with_force(tmp_path):
+@pytest.mark.parametrize("force", [False, True])
+def test_new_folder_takes_an_empty_place(tmp_path, force):
     (tmp_path / "out").mkdir()
-    with new_folder(tmp_path / "out", force=True) as folder:
+    with new_folder(tmp_path / "out", force) as folder:
         (folder / "new.txt").write_text("new")
     assert names(tmp_path / "out") == [".priorlab", "new.txt"]
+
+
+def test_new_folder_leaves_a_link_to_an_empty_place(tmp_path):
+    (tmp_path / "there").mkdir()
+    (tmp_path / "out").symlink_to(tmp_path / "there")
+    with pytest.raises(FileExistsError, match="out exists already"), new_folder(tmp_path / "out"):
+        pytest.fail("the block must not run")
+
+
+def test_new_folder_says_beforehand_that_a_mounted_disk_cannot_be_replaced(tmp_path, monkeypatch):
+    (tmp_path / "out").mkdir()
+    monkeypatch.setattr("os.path.ismount", lambda place: True)
+    with pytest.raises(ValueError, match="must not be a mounted disk"), new_folder(tmp_path / "out"):
+        pytest.fail("the block must not run")
+
+
+def test_new_folder_does_not_replace_the_empty_working_folder(tmp_path, monkeypatch):
+    (tmp_path / "out").mkdir()
+    monkeypatch.chdir(tmp_path / "out")
+    with pytest.raises(ValueError, match="must not hold .*: it would be replaced"), new_folder("."):
+        pytest.fail("the block must not run")
 
 
 @pytest.mark.parametrize("make", [lambda place: place.write_text("mine"), lambda place: (place / "thesis").mkdir(parents=True)])
