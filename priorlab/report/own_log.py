@@ -83,7 +83,8 @@ def read_own_log(
     wheel_noise : alpha_1 to alpha_4 of algorithm 6.3, variances per squared metre or radian
     start_error : how far the start may be off, standard deviations: of x and y (metres) and of theta (radians)
 
-    Poses that a mapper has corrected lie in a frame of their own. Laid on the start, they tell how well the robot kept track, but
+    The poses of a CARMEN log are the laser's own, as `start` is, so there is no sensor offset to take account of
+    (`sensor_offset_m` stays 0). Poses that a mapper has corrected lie in a frame of their own. Laid on the start, they tell how well the robot kept track, but
     not whether the start was right: so they are not taken for the truth when it is asked whether the robot got lost.
     """
     if check_number("wheel_noise", wheel_noise) < 0:

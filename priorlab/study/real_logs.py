@@ -123,7 +123,7 @@ def localize_on_odd_scans(
     """
     if len(log) < 4:
         raise ValueError(f"the log must hold at least four scans to build a map and localize in it, got {len(log)}")
-    log, grid = into_map_frame(log, parameters.max_range_m)
+    log, grid = into_map_frame(log, parameters.max_range_m, sensor_offset_m=parameters.sensor_offset_m)
     rng_wheels, rng_filter = np.random.default_rng(seed).spawn(2)
     own_map = map_from_truth(every_other(log, 0), grid, parameters)
     odd = wear_wheels(every_other(log, 1), rng_wheels, wheels or WornWheels())
@@ -133,17 +133,21 @@ def localize_on_odd_scans(
     return OddScans(seed, run, absolute_trajectory_error_m(dead_reckoning(odd), true_poses(odd)), step_ms)
 
 
-def into_map_frame(log: RobotLog, max_range_m: float, cell_m: float = CELL_M) -> tuple[RobotLog, Grid]:
+def into_map_frame(
+    log: RobotLog, max_range_m: float, cell_m: float = CELL_M, sensor_offset_m: tuple[float, float] = (0.0, 0.0)
+) -> tuple[RobotLog, Grid]:
     """Shift a log so that its true poses and all it sees from them lie on a map whose lower left corner is 0, 0; and that map's
     grid.
 
-    The truth moves; the odometry has a frame of its own and stays.
+    The truth moves; the odometry has a frame of its own and stays. `sensor_offset_m` is where the scanner sits on the robot; the
+    poses of a CARMEN log are the scanner's own.
     """
     truth, cell_m = true_poses(log), check_positive("cell_m", cell_m)
     seen = np.isfinite(log.ranges) & (log.ranges < max_range_m)
+    scanner = compose(truth, (*sensor_offset_m, 0.0))
     angles = truth[:, 2:] + log.bearings
     reach = np.where(seen, log.ranges, 0.0)
-    x, y = truth[:, :1] + reach * np.cos(angles), truth[:, 1:2] + reach * np.sin(angles)
+    x, y = scanner[:, :1] + reach * np.cos(angles), scanner[:, 1:2] + reach * np.sin(angles)
     # the robot itself counts too: one that only looks ahead may stand far behind all that it sees
     low = np.minimum([x.min(), y.min()], truth[:, :2].min(axis=0)) - MARGIN_M
     high = np.maximum([x.max(), y.max()], truth[:, :2].max(axis=0)) + MARGIN_M

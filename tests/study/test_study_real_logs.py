@@ -118,6 +118,16 @@ def test_into_map_frame_holds_the_robot_when_it_only_looks_ahead():
     assert np.allclose(shifted.truth[0, :2], [1.0, 1.0 + 6 * np.sin(0.1)], atol=0.01)  # a metre of room behind it
 
 
+def test_into_map_frame_holds_what_a_scanner_far_from_the_robots_middle_sees():
+    """A scanner 3 m ahead of it, on a robot that looks along y: beams of 4 m end 7 m ahead, one to either side by 4 sin(0.1)."""
+    eyes = Scanner(n_beams=3, field_of_view=0.2, min_range_m=0.1, max_range_m=20.0)
+    truth = np.array([[0.0, 0.0, np.pi / 2]] * 2)
+    log = RobotLog(truth, np.full((2, 3), 4.0), eyes.bearings, eyes, truth[0], truth)
+    shifted, grid = into_map_frame(log, 20.0, sensor_offset_m=(3.0, 0.0))
+    assert np.allclose(shifted.truth[0, :2], [1.0 + 4 * np.sin(0.1), 1.0])
+    assert grid.shape == (180, 56)  # 7 m and a metre before and behind; 0.8 m and a metre on either side
+
+
 def test_localize_on_odd_scans_says_what_is_missing(hall):
     log = hall[1]
     with pytest.raises(ValueError, match="must hold true poses"):
