@@ -84,8 +84,9 @@ def read_own_log(
     start_error : how far the start may be off, standard deviations: of x and y (metres) and of theta (radians)
 
     The poses of a CARMEN log are the laser's own, as `start` is, so there is no sensor offset to take account of
-    (`sensor_offset_m` stays 0). Poses that a mapper has corrected lie in a frame of their own. Laid on the start, they tell how well the robot kept track, but
-    not whether the start was right: so they are not taken for the truth when it is asked whether the robot got lost.
+    (`sensor_offset_m` stays 0). Poses that a mapper has corrected lie in a frame of their own. Laid on the start, they tell how
+    well the robot kept track, but not whether the start was right: so they are not taken for the truth when it is asked whether
+    the robot got lost.
     """
     if check_number("wheel_noise", wheel_noise) < 0:
         raise ValueError(f"wheel_noise must not be negative, got {wheel_noise:g}")
