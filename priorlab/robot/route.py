@@ -9,6 +9,9 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components, dijkstra
 
+DETOUR = 10.0
+"""A way that leaves what it should follow counts so many times as long."""
+
 Place = tuple[int, int]
 """A pixel (row, col)."""
 
@@ -21,16 +24,24 @@ class Roads:
     drivable : (height, width) bool
     distance : (height, width) pixels to the nearest wall; the way along a wall counts longer than the way through the middle
     step : pixels between points
+    preferred : (height, width) bool, where the robot should drive if it can; elsewhere a way counts `DETOUR` times as long
     """
 
-    def __init__(self, drivable: NDArray[np.bool_], distance: NDArray[np.float32], step: int) -> None:
-        self.drivable = drivable
+    def __init__(
+        self,
+        drivable: NDArray[np.bool_],
+        distance: NDArray[np.float32],
+        step: int,
+        preferred: NDArray[np.bool_] | None = None,
+    ) -> None:
+        self.drivable, self.preferred = drivable, drivable if preferred is None else drivable & preferred
         rows, cols = np.nonzero(drivable[::step, ::step])
         self.points = np.column_stack([rows, cols]) * step
         number = np.full(drivable[::step, ::step].shape, -1)
         number[rows, cols] = np.arange(len(rows))
         padded = np.pad(number, ((0, 1), (1, 1)), constant_values=-1)
-        near_wall = 1.0 + step / np.maximum(distance[tuple(self.points.T)], 1e-3)
+        dear = 1.0 + step / np.maximum(distance[tuple(self.points.T)], 1e-3)
+        dear[~self.preferred[tuple(self.points.T)]] *= DETOUR
         starts, ends, lengths = [], [], []
         for down, right in ((0, 1), (1, 0), (1, 1), (1, -1)):
             end = padded[rows + down, cols + 1 + right]
@@ -40,7 +51,7 @@ class Roads:
             start, end = start[open_way], end[open_way]
             starts.append(start)
             ends.append(end)
-            lengths.append(step * np.hypot(down, right) * (near_wall[start] + near_wall[end]) / 2)
+            lengths.append(step * np.hypot(down, right) * (dear[start] + dear[end]) / 2)
         edges = (np.concatenate(starts), np.concatenate(ends))
         self.net = coo_array((np.concatenate(lengths), edges), shape=(len(rows), len(rows))).tocsr()
 
@@ -49,9 +60,9 @@ class Roads:
         return int(((self.points - place) ** 2).sum(axis=1).argmin())
 
     def in_sight(self, start: Place, end: Place) -> bool:
-        """True when the straight way between two places is drivable all along."""
+        """True when the straight way between two places is drivable, and preferred, all along."""
         way = max(abs(end[0] - start[0]), abs(end[1] - start[1]))
-        return bool(_way_is_free(self.drivable, np.array([start]), np.array([end]), 2 * way + 1)[0])
+        return bool(_way_is_free(self.preferred, np.array([start]), np.array([end]), 2 * way + 1)[0])
 
 
 def shortest_round(roads: Roads, places: Sequence[Place]) -> NDArray[np.int64]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,16 +16,21 @@ OFF_WALLS_M = 0.5
 """Stops keep this far from walls and furniture; only ways through doors come nearer."""
 
 
-def full_tour(walls: Walls, apart_m: float = 4.0) -> NDArray[np.float64]:
+def full_tour(
+    walls: Walls, apart_m: float = 4.0, landmarks: NDArray[np.bool_] | None = None, near_m: float = np.inf
+) -> NDArray[np.float64]:
     """A path through all that can be reached: every free place lies within `apart_m` of a stop.
 
     The stops are found one by one, each the place farthest from all others; `plan_tour` visits the middles of rooms alone,
-    which leaves most walls of a large office beyond the reach of a Kinect.
+    which leaves most walls of a large office beyond the reach of a Kinect. A robot that must find itself by what it sees is not
+    driven across the middle of a hall: with `landmarks`, stops and ways keep within `near_m` of them wherever they can.
 
     Parameters
     ----------
     walls : what the robot must not hit, with a scale
     apart_m : metres; a third of the sensor's range more than it misses little
+    landmarks : (height, width) bool, what it should keep in sight; the walls by default
+    near_m : metres from the landmarks; no matter by default
 
     Returns
     -------
@@ -33,14 +39,21 @@ def full_tour(walls: Walls, apart_m: float = 4.0) -> NDArray[np.float64]:
     Raises
     ------
     LeakError, ValueError
-        As `find_free_space` does; when the drawing has no scale; when the robot fits nowhere.
+        As `find_free_space` does; when the drawing has no scale; when the robot fits nowhere; when `landmarks`
+        have another shape or `near_m` is not above 0.
     """
-    apart = check_positive("apart_m", apart_m) / Grid(walls.shape, 1, walls.metres_per_pixel).scale
     grid = Grid(walls.shape, 1, walls.metres_per_pixel)
+    apart = check_positive("apart_m", apart_m) / grid.scale
+    if not near_m > 0:
+        raise ValueError(f"near_m must be above 0, got {near_m:g}")
+    if landmarks is not None and landmarks.shape != walls.shape:
+        raise ValueError(f"landmarks must have the shape of the walls, {walls.shape}, got {landmarks.shape}")
     space = find_free_space(walls)
-    roads = Roads(space.drivable, space.distance, step=max(1, int(space.door_width / 8)))
-    room_to_stand = space.distance[tuple(roads.points.T)] * grid.scale
-    places = roads.points[room_to_stand >= min(OFF_WALLS_M, room_to_stand.max(initial=0.0))]
+    near = _within(near_m / grid.scale, walls.mask if landmarks is None else landmarks)
+    roads = Roads(space.drivable, space.distance, step=max(1, int(space.door_width / 8)), preferred=near)
+    points = roads.points[near[tuple(roads.points.T)]]
+    room_to_stand = space.distance[tuple(points.T)] * grid.scale
+    places = points[room_to_stand >= min(OFF_WALLS_M, room_to_stand.max(initial=0.0))]
     if not len(places):
         raise ValueError(f"the free space must hold a place for the robot, got none between walls of shape {walls.shape}")
     stops = [places[0]]
@@ -50,3 +63,9 @@ def full_tour(walls: Walls, apart_m: float = 4.0) -> NDArray[np.float64]:
         nearest = np.minimum(nearest, np.hypot(*(places - stops[-1]).T))
     corners = shortest_round(roads, [(int(row), int(col)) for row, col in stops])
     return grid.xy_to_metres(grid.pixel_to_xy(corners))
+
+
+def _within(reach: float, landmarks: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Pixels at most `reach` pixels from a landmark."""
+    away = cv2.distanceTransform((~landmarks).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+    return np.asarray(away <= reach)

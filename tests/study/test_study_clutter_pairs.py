@@ -41,11 +41,44 @@ def test_full_tour_leaves_no_place_far_off(pair):
     assert len(full_tour(walls, apart_m=6.0)) < len(tour)
 
 
+def test_full_tour_near_its_landmarks_goes_round_a_hall():
+    hall = np.zeros((208, 308), dtype=bool)
+    hall[:4] = hall[-4:] = hall[:, :4] = hall[:, -4:] = True  # 15 x 10 m
+    furnished = hall.copy()
+    furnished[100:108, 150:158] = True  # a pillar that the plan does not know: no landmark
+
+    def farthest(tour):
+        along = np.concatenate([np.linspace(a, b, 50) for a, b in zip(tour[:-1], tour[1:], strict=True)])
+        return np.minimum.reduce([along[:, 0], along[:, 1], 15.4 - along[:, 0], 10.4 - along[:, 1]]).max() - 0.2
+
+    walls = as_walls(furnished, 0.05)
+    across, round_it = full_tour(walls), full_tour(walls, landmarks=hall, near_m=1.5)
+    assert farthest(across) > 4 and farthest(round_it) < 1.55
+    assert np.ptp(round_it, axis=0).min() > 6  # all round, not along one wall
+
+
+def test_full_tour_leaves_its_landmarks_where_it_must(pair):
+    only_left = pair.plan.copy()
+    only_left[:, 60:] = False  # nothing in the right room is a landmark: it lies behind, and stops are on the left alone
+    tour = full_tour(as_walls(pair.world, 0.05), landmarks=only_left, near_m=1.0)
+    assert tour[:, 0].max() < 4.2
+    both_ends = pair.plan.copy()
+    both_ends[:, 40:130] = False
+    tour = full_tour(as_walls(pair.world, 0.05), landmarks=both_ends, near_m=1.0)
+    assert tour[:, 0].min() < 2 and tour[:, 0].max() > 6.5  # through the doorway, far from both
+
+
 def test_full_tour_says_what_is_wrong(pair):
     with pytest.raises(ValueError, match="apart_m must be a finite number above 0"):
         full_tour(as_walls(pair.world, 0.05), apart_m=0)
     with pytest.raises(ValueError, match="metres_per_pixel must be known"):
         full_tour(Walls(as_walls(pair.world, 0.05).labels))
+    with pytest.raises(ValueError, match="near_m must be above 0, got -1"):
+        full_tour(as_walls(pair.world, 0.05), near_m=-1)
+    with pytest.raises(ValueError, match=r"landmarks must have the shape of the walls, \(108, 172\), got \(10, 10\)"):
+        full_tour(as_walls(pair.world, 0.05), landmarks=np.ones((10, 10), dtype=bool))
+    with pytest.raises(ValueError, match="a place for the robot"):
+        full_tour(as_walls(pair.world, 0.05), landmarks=pair.plan, near_m=0.05)
 
 
 def test_pair_truth_counts_only_the_skin_of_thick_walls():
