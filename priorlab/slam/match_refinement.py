@@ -14,6 +14,7 @@ from priorlab.slam.likelihood_field import LikelihoodField
 _ROUNDS = 3  # each with half the spacing of the one before: to a quarter of a cell, which a parabola divides once more
 
 _AROUND = np.array(list(product((-1.0, 0.0, 1.0), repeat=3)))  # (27, 3)
+_MIDDLE = 13
 _PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 _TERMS = np.column_stack([np.ones(27), _AROUND, *(_AROUND[:, i] * _AROUND[:, j] for i, j in _PAIRS)])
 _FIT = np.linalg.pinv(_TERMS)  # (10, 27): scores to the coefficients of the paraboloid, by least squares
@@ -27,7 +28,9 @@ def climb(
     spread: NDArray[np.float64],
     spacing: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """From the best cell to the peak of scan and guess together; never more than a spacing a round.
+    """From the best cell to the peak of scan and guess together; never more than a spacing a round, never below the start.
+
+    The paraboloid sees the slopes of 27 poses at once, so a round may well lead down; of all poses on the way the best is taken.
 
     Parameters
     ----------
@@ -37,18 +40,26 @@ def climb(
     guess, spread : (3,) the Gaussian of the pose before the scan
     spacing : (3,) steps of the search in x, y, theta
     """
-    for _ in range(_ROUNDS):
-        around = pose + _AROUND * spacing
-        away = around - guess
+
+    def score(poses: NDArray[np.float64]) -> NDArray[np.float64]:
+        away = poses - guess
         away[:, 2] = wrap_angle(away[:, 2])
-        scores = smooth_log_likelihoods(around, points, field) - 0.5 * np.square(away / spread).sum(axis=1)
+        return smooth_log_likelihoods(poses, points, field) - 0.5 * np.square(away / spread).sum(axis=1)
+
+    best, highest = pose, -np.inf
+    for _ in range(_ROUNDS):
+        scores = score(pose + _AROUND * spacing)
+        if scores[_MIDDLE] > highest:
+            best, highest = pose, float(scores[_MIDDLE])
         gradient, hessian = fit_peak(scores)
         bends, axes = np.linalg.eigh(hessian)
         slopes = gradient @ axes
         peaks = np.divide(-slopes, bends, out=np.zeros(3), where=bends < 0)  # where it bends upwards there is no peak: stay
         pose = pose + np.clip(axes @ peaks, -1, 1) * spacing
         spacing = spacing / 2
-    return np.array([*pose[:2], wrap_angle(pose[2])])
+    if score(pose[None])[0] > highest:
+        best = pose
+    return np.array([*best[:2], wrap_angle(best[2])])
 
 
 def information(
