@@ -7,14 +7,15 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import ipywidgets
 
 from priorlab.widgets.picture import Picture
+from priorlab.widgets.screen import Screen
 from priorlab.widgets.sliders import Slider
 
-_CELL = "padding:1px 12px 1px 0;line-height:1.35;text-align:left"
 _WRAP = ipywidgets.Layout(flex_flow="row wrap", align_items="flex-start")
 
 
@@ -39,7 +40,8 @@ class Lab(ipywidgets.VBox):
         self.sliders = dict(sliders)
         self.presets = {name: dict(values) for name, values in presets.items()}
         self.pictures = tuple(pictures)
-        self.readout = ipywidgets.HTML()
+        self.readout = Readout()
+        self.screen = Screen(self.pictures)
         self._held = False
         self._start = {name: slider.value for name, slider in self.sliders.items()}
         self.buttons = {name: self._button(name, values) for name, values in self.presets.items()}
@@ -50,10 +52,10 @@ class Lab(ipywidgets.VBox):
             [
                 ipywidgets.Box([*self.sliders.values()], layout=_WRAP),
                 ipywidgets.Box([*self.buttons.values(), *controls], layout=_WRAP),
-                ipywidgets.Box([*self.pictures, self.readout], layout=_WRAP),
+                self.screen,
             ]
         )
-        self.refresh()
+        self._renew()
 
     def refresh(self) -> None:
         """Compute with priorlab what the sliders say, and show it."""
@@ -74,7 +76,7 @@ class Lab(ipywidgets.VBox):
                 self.sliders[name].value = value
         finally:
             self._held = False
-            self.refresh()
+            self._renew()
 
     def reset(self) -> None:
         """All sliders back to where they stood at first."""
@@ -96,7 +98,12 @@ class Lab(ipywidgets.VBox):
     def _moved(self, change: Any) -> None:
         """A slider has a new value."""
         if not self._held:
-            self.refresh()
+            self._renew()
+
+    def _renew(self) -> None:
+        """Refresh, then send what has changed in one message."""
+        self.refresh()
+        self.screen.show(self.pictures, self.readout.value)
 
     def _button(self, name: str, values: Mapping[str, float]) -> ipywidgets.Button:
         """A button that sets some sliders."""
@@ -106,11 +113,15 @@ class Lab(ipywidgets.VBox):
         return button
 
 
+@dataclass
+class Readout:
+    """The numbers beside the pictures, HTML."""
+
+    value: str = ""
+
+
 def table(rows: Sequence[tuple[str, str]], caption: str = "") -> str:
-    """A readout as HTML: a name and a number in each line; announced politely to screen readers."""
+    """A readout as HTML: a name and a number in each line."""
     head = f"<b>{caption}</b>" if caption else ""
-    lines = "".join(
-        f"<tr><td style='{_CELL}'>{name}</td><td style='{_CELL};font-variant-numeric:tabular-nums'>{value}</td></tr>"
-        for name, value in rows
-    )
-    return f"<div role='status' style='margin:0 1em'>{head}<table>{lines}</table></div>"
+    lines = "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows)
+    return f"{head}<table>{lines}</table>"

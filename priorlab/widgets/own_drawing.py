@@ -13,8 +13,9 @@ from priorlab.core.drawing import Drawing
 from priorlab.drawing.method import ROBUST, THESIS
 from priorlab.study.own_drawing import OwnResult, extract_own
 from priorlab.widgets.canvas import BLUE, ORANGE, Canvas
-from priorlab.widgets.lab import table
+from priorlab.widgets.lab import Readout, table
 from priorlab.widgets.picture import Picture
+from priorlab.widgets.screen import Screen
 
 METHODS = {"ROBUST": ROBUST, "THESIS": THESIS}
 SURE = 0.7
@@ -51,12 +52,12 @@ class OwnDrawing(ipywidgets.VBox):
         again = ipywidgets.Button(description="the bundled drawing", layout=ipywidgets.Layout(width="auto"))
         self.progress = ipywidgets.HTML()
         self.pictures = (Picture(width=width), Picture(width=width))
-        self.readout = ipywidgets.HTML()
+        self.readout, self.screen = Readout(), Screen(self.pictures)
         super().__init__(
             [
                 ipywidgets.Box([self.upload, self.path, again], layout=_ROW),
                 ipywidgets.Box([self.method, self.progress], layout=_ROW),
-                ipywidgets.Box([*self.pictures, self.readout], layout=ipywidgets.Layout(flex_flow="row wrap")),
+                self.screen,
             ]
         )
         self.upload.observe(self._uploaded, "value")
@@ -90,7 +91,12 @@ class OwnDrawing(ipywidgets.VBox):
         if self.found is None:
             for picture in self.pictures:
                 picture.show(np.full((40, 120), 255, dtype=np.uint8), "nothing to show: the file could not be read")
-            return
+        else:
+            self._paint()
+        self.screen.show(self.pictures, self.readout.value)
+
+    def _paint(self) -> None:
+        """The drawing with its doors, and its walls."""
         canvas = Canvas(self.found.drawing.grey, max(1, 400 // max(self.found.drawing.shape)))
         for door in self.found.doors:
             canvas.triangle(door.points, ORANGE, 2, 0.45)

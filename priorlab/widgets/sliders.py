@@ -17,24 +17,33 @@ function render({ model, el }) {
   input.type = "range";
   input.setAttribute("data-lm-suppress-shortcuts", "true");  // arrow keys belong to the slider, not to the notebook
   label.htmlFor = output.htmlFor = input.id;
-  const show = () => {
-    for (const name of ["min", "max", "step", "value"]) input[name] = model.get(name);
-    const text = model.get("value").toFixed(model.get("digits"));
+  const show = () => {  // the range first: a value outside of it would be cut
+    for (const name of ["min", "max", "step"]) input[name] = model.get(name);
     label.textContent = model.get("label");
     label.title = input.title = model.get("hint");
-    output.textContent = text;
     input.setAttribute("aria-label", model.get("label"));
+    tell();
+  };
+  const tell = () => {
+    const text = model.get("value").toFixed(model.get("digits"));
+    input.value = model.get("value");
+    output.textContent = text;
     input.setAttribute("aria-valuetext", text);
   };
   input.addEventListener("input", () => {
     model.set("value", Number(input.value));
     model.save_changes();
   });
-  model.on("change", show);
+  const framing = ["min", "max", "step", "label", "hint", "digits"].map(name => "change:" + name).join(" ");
+  model.on("change:value", tell);
+  model.on(framing, show);
   show();
   el.classList.add("priorlab-slider");
   el.append(label, input, output);
-  return () => model.off("change", show);
+  return () => {
+    model.off("change:value", tell);
+    model.off(framing, show);
+  };
 }
 export default { render };
 """

@@ -63,12 +63,12 @@ lab
 WATCH = """
 () => {
   const [input] = document.querySelectorAll(".priorlab-slider input");
-  const [map] = document.querySelectorAll("img.priorlab-picture");
+  const [screen] = document.querySelectorAll(".priorlab-screen");
   window.took = [];
   let pressed = 0;
   input.addEventListener("keydown", () => { pressed = performance.now(); }, true);
-  map.addEventListener("load", () => {
-    requestAnimationFrame(() => {  // this frame paints the map; a message posted here arrives when it has been painted
+  screen.addEventListener("priorlab-shown", () => {
+    requestAnimationFrame(() => {  // this frame paints the pictures; a message posted here arrives when it has been painted
       const after = new MessageChannel();
       after.port1.onmessage = () => window.took.push(performance.now() - pressed);
       after.port2.postMessage(0);
@@ -140,7 +140,7 @@ def main() -> int:
         for prompt, words in ((False, "an ordinary JupyterLab"), (True, "as make lab starts it")):
             with jupyter_lab(folder, prompt) as address:
                 page = browser.new_page(viewport={"width": 1280, "height": 900})
-                seconds = run_all(page, address.format("lab.ipynb"), "img.priorlab-picture")
+                seconds = run_all(page, address.format("lab.ipynb"), ".priorlab-picture")
                 took = press(page, options.keys)
                 low, high = np.percentile(took, [50, 90])
                 print(

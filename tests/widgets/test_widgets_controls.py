@@ -8,6 +8,7 @@ import pytest
 
 from priorlab.widgets.lab import Lab
 from priorlab.widgets.picture import Picture
+from priorlab.widgets.screen import Screen
 from priorlab.widgets.sliders import Slider
 
 
@@ -23,6 +24,7 @@ class Doubling(Lab):
     def refresh(self):
         self.refreshed += 1
         self.double = 2 * self.x.value
+        self.readout.value = f"{self.double:g}"
         self.pictures[0].show(np.full((2, 2), 10 * int(self.x.value), dtype=np.uint8), f"twice {self.x.value:g}")
 
     def summary(self):
@@ -44,8 +46,29 @@ def test_picture_wider_than_shown_is_reduced_and_keeps_thin_walls():
     assert back.shape == (20, 50) and (back[:, 25] < 200).all() and (np.delete(back, 25, axis=1) == 255).all()
 
 
-def test_picture_shows_alt_text_sharp_pixels_in_the_browser():
-    assert 'img.alt = model.get("alt")' in Picture._esm and '"auto" : "pixelated"' in Picture._esm
+def test_screen_names_its_pictures_for_screen_readers_and_keeps_pixels_sharp():
+    assert 'setAttribute("aria-label", (place.alt = alt))' in Screen._esm and '"auto" : "pixelated"' in Screen._esm
+    assert 'setAttribute("role", "img")' in Screen._esm and 'setAttribute("role", "status")' in Screen._esm
+
+
+def names_in(message):
+    """The traits that an update for the browser carries."""
+    return set(message["state"]) | {path[0] for path in message["buffer_paths"]}
+
+
+def test_screen_sends_one_message_with_what_changed_and_no_more(monkeypatch):
+    first, second = Picture(), Picture(width=40)
+    screen = Screen([first, second])
+    assert screen.widths == [0, 40]
+    sent = []
+    monkeypatch.setattr(screen.comm, "send", lambda data, buffers: sent.append(names_in(data)))
+    first.show(np.zeros((2, 2), np.uint8), "black")
+    second.show(np.zeros((3, 3), np.uint8), "black too")
+    screen.show([first, second], "two pictures")
+    second.show(np.full((3, 3), 9, np.uint8), "nearly black")
+    screen.show([first, second], "two pictures")
+    screen.show([first, second], "two pictures")
+    assert sent == [{"image_0", "image_1", "alt_0", "alt_1", "readout"}, {"image_1", "alt_1"}]
 
 
 def test_slider_names_itself_for_screen_readers_and_keeps_its_keys():
@@ -75,6 +98,13 @@ def test_lab_set_refreshes_once_and_presets_and_reset_work():
     assert (lab.x.value, lab.y.value, lab.double) == (9, 8, 18)
     lab.buttons["reset"].click()
     assert (lab.x.value, lab.y.value, lab.double) == (1, 1, 2)
+
+
+def test_lab_shows_on_its_screen_what_its_pictures_hold():
+    lab = Doubling()
+    lab.x.value = 7
+    assert lab.screen.image_0 == lab.pictures[0].image and lab.screen.alt_0 == "twice 7"
+    assert lab.screen.readout == lab.readout.value == "14"
 
 
 def test_lab_set_unknown_slider_is_told():
