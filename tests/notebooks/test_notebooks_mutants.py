@@ -5,19 +5,12 @@ Each mutant names the objective of the notebook whose printed number it breaks f
 
 from __future__ import annotations
 
-import os
 import re
-import shutil
-import subprocess
-import sys
-from pathlib import Path
 
-import nbformat
 import pytest
 
 pytestmark = pytest.mark.mutant
 
-ROOT = Path(__file__).parents[2]
 START, DOORS, WALLS = "00_start_here", "01_doors", "02_walls"
 PRIORS, LOG_ODDS, SWEEP = "03_priors", "04_log_odds", "05_pareto_sweep"
 WORTH, DEPTH = "06_worth_it", "07_depth_camera"
@@ -120,36 +113,10 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
 
 
 @pytest.mark.parametrize("name", MUTANTS)
-def test_notebook_goes_red(name, tmp_path):
+def test_notebook_goes_red(name, run_changed):
     stem, file, right, wrong, objective = MUTANTS[name]
-    shutil.copytree(ROOT / "priorlab", tmp_path / "priorlab", ignore=shutil.ignore_patterns("__pycache__"))
-    (tmp_path / "data").symlink_to(ROOT / "data")
-    patched = tmp_path / "priorlab" / file
-    source = patched.read_text()
-    assert source.count(right) == 1, f"the mutant {name!r} no longer fits {file}"
-    patched.write_text(source.replace(right, wrong))
-    code = write_as_far_as(f"objective-{objective}", ROOT / "notebooks" / f"{stem}.ipynb", tmp_path)
-
-    run = subprocess.run(
-        [sys.executable, "-m", "pytest", "-x", "-q", "--color=no", "-p", "no:cacheprovider", "--rootdir", str(tmp_path)]
-        + ["--nbval", "--nbval-current-env", "--nbval-cell-timeout=120", f"{stem}.ipynb"],
-        cwd=tmp_path,
-        env={**os.environ, "PYTHONPATH": str(tmp_path)},
-        capture_output=True,
-        text=True,
-        timeout=120,
-        check=False,
-    )
-    assert run.returncode == 1, run.stdout
-    assert "mismatch '" in run.stdout, run.stdout
-    red = int(re.search(r"FAILED .*::Cell (\d+)", run.stdout).group(1))
+    done, code = run_changed(stem, file, right, wrong, last_tag=f"objective-{objective}")
+    assert done.returncode == 1, done.stdout
+    assert "mismatch '" in done.stdout, done.stdout
+    red = int(re.search(r"FAILED .*::Cell (\d+)", done.stdout).group(1))
     assert f"objective-{objective}" in code[red].metadata.get("tags", []), (red, code[red].source)
-
-
-def write_as_far_as(tag, source, folder):
-    """A copy of a notebook that ends with the last cell of one tag, and its code cells."""
-    notebook = nbformat.read(source, as_version=4)
-    last = max(i for i, cell in enumerate(notebook.cells) if tag in cell.metadata.get("tags", []))
-    notebook.cells = notebook.cells[: last + 1]
-    nbformat.write(notebook, folder / source.name)
-    return [cell for cell in notebook.cells if cell.cell_type == "code"]
