@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import as_numbers, check_positive
 
 MAX_CELLS = 200_000_000
 """More cells than the largest image has pixels fit into no memory."""
@@ -43,7 +43,10 @@ class Grid:
     metres_per_pixel: float | None = None
 
     def __post_init__(self) -> None:
-        height, width = (int(side) for side in self.image_shape)
+        sides = as_numbers("image_shape", self.image_shape)
+        if sides.shape != (2,) or not np.isfinite(sides).all():
+            raise ValueError(f"image_shape must be a height and a width in pixels, got {self.image_shape}")
+        height, width = (int(side) for side in sides)
         if height < 1 or width < 1:
             raise ValueError(f"image_shape must be at least 1 x 1 pixels, got {height} x {width}")
         object.__setattr__(self, "image_shape", (height, width))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import as_float
+from priorlab.core.checks import as_float, as_numbers, check_record
 from priorlab.core.grid import Grid
 from priorlab.core.log_odds import detected_as_wall, probability
 
@@ -84,7 +84,10 @@ class GridMap:
     prior: Prior | None = None
 
     def __post_init__(self) -> None:
-        values = np.asarray(self.log_odds, dtype=np.float64)
+        check_record("grid", self.grid, Grid)
+        if self.prior is not None:
+            check_record("prior", self.prior, Prior)
+        values = as_numbers("log_odds", self.log_odds)
         if values.shape != self.grid.shape:
             raise ValueError(f"log_odds must have the grid's shape {self.grid.shape}, got {values.shape}")
         if not np.isfinite(values).all():

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import as_float
+from priorlab.core.checks import as_float, as_numbers
 
 DETECTED_WALL = 0.2
 """A cell counts as a detected wall when P(empty) is at most this (eq. 4.18; chapter 6 scores at 0.5)."""
@@ -38,7 +38,7 @@ def log_odds(p: ArrayLike) -> NDArray[np.float64]:
     >>> round(log_odds(0.9).item(), 4)
     2.1972
     """
-    p = np.asarray(p, dtype=np.float64)
+    p = as_numbers("p", p)
     inside = (p > 0.0) & (p < 1.0)
     if not inside.all():
         raise ValueError(f"a probability must lie strictly between 0 and 1, got {p[~inside].flat[0]:g}")
@@ -53,7 +53,7 @@ def probability(log_odds: ArrayLike) -> NDArray[np.float64]:
     >>> round(probability(log_odds(0.2)).item(), 12)
     0.2
     """
-    return 0.5 * (1.0 + np.tanh(0.5 * np.asarray(log_odds, dtype=np.float64)))
+    return 0.5 * (1.0 + np.tanh(0.5 * as_numbers("log_odds", log_odds)))
 
 
 def detection_limit(threshold: float = DETECTED_WALL) -> float:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_poses
+from priorlab.core.checks import as_numbers, check_poses, check_record
 from priorlab.core.grid import Grid
 from priorlab.core.sensor import RangeSensor, Scanner
 
@@ -39,9 +39,9 @@ class Readings:
     valid: NDArray[np.bool_] | None = None
 
     def __post_init__(self) -> None:
+        check_record("sensor", self.sensor, RangeSensor)
         poses = check_poses("poses", self.poses)
-        ranges = np.asarray(self.ranges, dtype=np.float64)
-        bearings = np.asarray(self.bearings, dtype=np.float64)
+        ranges, bearings = as_numbers("ranges", self.ranges), as_numbers("bearings", self.bearings)
         if bearings.ndim != 1 or not bearings.size or not np.isfinite(bearings).all():
             raise ValueError(f"bearings must be one row of finite angles, got {bearings.tolist()}")
         if ranges.shape != (len(poses), len(bearings)):
@@ -169,20 +169,22 @@ class RobotLog:
     stamps: NDArray[np.float64] | None = None
 
     def __post_init__(self) -> None:
+        check_record("scanner", self.scanner, Scanner)
         odometry = check_poses("odometry", self.odometry)
-        ranges = np.asarray(self.ranges, dtype=np.float64)
-        bearings = np.asarray(self.bearings, dtype=np.float64)
+        ranges, bearings = as_numbers("ranges", self.ranges), as_numbers("bearings", self.bearings)
+        if bearings.ndim != 1:
+            raise ValueError(f"bearings must be one row of finite angles, got shape {bearings.shape}")
         if ranges.shape != (len(odometry), len(bearings)):
             raise ValueError(f"ranges must have shape {(len(odometry), len(bearings))}, got {ranges.shape}")
         if (ranges < 0).any():
             raise ValueError(f"ranges must not be negative, got {np.nanmin(ranges):g} m")
-        start = check_poses("start", np.atleast_2d(self.start))[0]
+        start = check_poses("start", [self.start])[0]
         truth = None if self.truth is None else check_poses("truth", self.truth)
         if truth is not None and len(truth) != len(odometry):
             raise ValueError(f"truth must hold {len(odometry)} poses, one per odometry pose, got {len(truth)}")
         if not np.isfinite(bearings).all():
             raise ValueError(f"bearings must be finite angles, got {bearings[~np.isfinite(bearings)][0]:g}")
-        stamps = None if self.stamps is None else np.asarray(self.stamps, dtype=np.float64)
+        stamps = None if self.stamps is None else as_numbers("stamps", self.stamps)
         if stamps is not None and (stamps.shape != (len(odometry),) or not np.isfinite(stamps).all()):
             raise ValueError(f"stamps must be {len(odometry)} finite numbers, one per odometry pose, got shape {stamps.shape}")
         for name, value in (

@@ -9,7 +9,20 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_positive, check_probability
+from priorlab.core.checks import (
+    as_float,
+    as_numbers,
+    check_not_negative,
+    check_positive,
+    check_probability,
+    check_share,
+    check_whole,
+)
+
+MOST_BEAMS = 1_000_000
+
+MOST_ALPHA = 1e6
+"""Wheels that err by a kilometre a metre say nothing, and their squares would leave the numbers that there are."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +52,7 @@ class RangeSensor:
         if self.half_angle > np.pi:
             raise ValueError(f"half_angle must be at most pi radians, got {self.half_angle:g}")
         check_sensor_model(self.p_free, self.p_occupied)
-        if self.beyond not in ("thickness", "hit_cell", "all"):
+        if not isinstance(self.beyond, str) or self.beyond not in ("thickness", "hit_cell", "all"):
             raise ValueError(f"beyond must be 'thickness', 'hit_cell' or 'all', got {self.beyond!r}")
 
 
@@ -65,17 +78,14 @@ class Scanner:
     dropout_rate: float = 0.02
 
     def __post_init__(self) -> None:
-        if self.n_beams < 1 or self.n_beams != int(self.n_beams):
-            raise ValueError(f"n_beams must be a whole number of at least 1, got {self.n_beams}")
+        object.__setattr__(self, "n_beams", check_whole("n_beams", self.n_beams, most=MOST_BEAMS))
         for name in ("field_of_view", "max_range_m"):
             check_positive(name, getattr(self, name))
-        if not 0 <= self.min_range_m < self.max_range_m:
+        if not 0 <= as_float("min_range_m", self.min_range_m) < self.max_range_m:
             raise ValueError(f"min_range_m must lie in [0, max_range_m), got {self.min_range_m:g}")
-        if not (math.isfinite(self.range_noise_m) and self.range_noise_m >= 0):
-            raise ValueError(f"range_noise_m must be a finite number of at least 0, got {self.range_noise_m:g}")
+        check_not_negative("range_noise_m", self.range_noise_m)
         for name in ("outlier_rate", "dropout_rate"):
-            if not 0 <= getattr(self, name) <= 1:
-                raise ValueError(f"{name} must lie between 0 and 1, got {getattr(self, name):g}")
+            check_share(name, getattr(self, name))
 
     @property
     def bearings(self) -> NDArray[np.float64]:
@@ -94,8 +104,12 @@ class Odometry:
     alphas: tuple[float, float, float, float] = (0.002, 0.002, 0.002, 0.002)
 
     def __post_init__(self) -> None:
-        if len(self.alphas) != 4 or not all(np.isfinite(a) and a >= 0 for a in self.alphas):
+        alphas = as_numbers("alphas", self.alphas)
+        if alphas.shape != (4,) or not (np.isfinite(alphas) & (alphas >= 0)).all():
             raise ValueError(f"alphas must be four finite numbers of at least 0, got {self.alphas}")
+        if alphas.max() > MOST_ALPHA:
+            raise ValueError(f"alphas must be at most {MOST_ALPHA:g}, got {alphas.max():g}")
+        object.__setattr__(self, "alphas", tuple(alphas.tolist()))  # a list is as good as a tuple, but a record must hash
 
 
 KINECT = Scanner()

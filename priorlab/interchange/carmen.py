@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import check_flag, check_positive, check_whole
 from priorlab.core.pose import relative, wrap_angle
 from priorlab.core.readings import RobotLog
 from priorlab.core.sensor import Scanner
@@ -79,8 +79,10 @@ def read_carmen(
     """
     if max_range_m is not None:
         max_range_m = check_positive("max_range_m", max_range_m)
-    if first is not None and first < 1:
-        raise ValueError(f"first must be at least 1, got {first}")
+    if first is not None:
+        first = check_whole("first", first)
+    if corrected is not None:
+        check_flag("corrected", corrected)
     scans: list[CarmenScan] = []
     wheels: list[NDArray[np.float64]] = []
     settings: dict[str, str] = {}

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+import numpy as np
 import yaml
 
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import as_numbers, check_positive, check_share
 
 
 @dataclass(frozen=True)
@@ -36,11 +36,11 @@ class RosYaml:
 
     def __post_init__(self) -> None:
         check_positive("resolution", self.resolution)
-        if len(self.origin) != 3 or not all(math.isfinite(value) for value in self.origin):
-            raise ValueError(f"origin must be three finite numbers x, y, yaw, got {list(self.origin)}")
+        origin = as_numbers("origin", self.origin)
+        if origin.shape != (3,) or not np.isfinite(origin).all():
+            raise ValueError(f"origin must be three finite numbers x, y, yaw, got {origin.tolist()}")
         for name in ("occupied_thresh", "free_thresh"):
-            if not 0 <= getattr(self, name) <= 1:
-                raise ValueError(f"{name} must lie between 0 and 1, got {getattr(self, name):g}")
+            check_share(name, getattr(self, name))
         if self.free_thresh >= self.occupied_thresh:
             raise ValueError(f"free_thresh must be below occupied_thresh, got {self.free_thresh:g} and {self.occupied_thresh:g}")
         if self.mode not in ("trinary", "scale", "raw"):

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_poses
+from priorlab.core.checks import as_numbers, check_poses
 from priorlab.core.files import check_free, write_file
 from priorlab.core.pose import wrap_angle
 from priorlab.interchange.text_lines import numbered_lines
@@ -43,7 +43,7 @@ def write_tum(path: str | os.PathLike[str], poses: ArrayLike, stamps: ArrayLike 
     """
     path = Path(path)
     poses = check_poses("poses", poses)
-    stamps = np.arange(len(poses), dtype=np.float64) if stamps is None else np.asarray(stamps, dtype=np.float64)
+    stamps = np.arange(len(poses), dtype=np.float64) if stamps is None else as_numbers("stamps", stamps)
     if stamps.shape != (len(poses),) or not np.isfinite(stamps).all():
         raise ValueError(f"stamps must be {len(poses)} finite numbers, one per pose, got shape {stamps.shape}")
     check_free(path, force)

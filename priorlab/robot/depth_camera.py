@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import as_float, check_positive, check_whole
 from priorlab.core.sensor import RangeSensor
 
 
@@ -51,17 +51,15 @@ class DepthCamera:
 
     def __post_init__(self) -> None:
         for name in ("rows", "columns", "strip_rows"):
-            value = getattr(self, name)
-            if value != int(value) or value < 1:
-                raise ValueError(f"{name} must be a whole number of at least 1, got {value}")
+            object.__setattr__(self, name, check_whole(name, getattr(self, name)))
         for name in ("max_depth_m", "height_m"):
             check_positive(name, getattr(self, name))
-        if not 0 < self.field_of_view < math.pi:
+        if not 0 < as_float("field_of_view", self.field_of_view) < math.pi:
             raise ValueError(f"field_of_view must lie strictly between 0 and pi radians, got {self.field_of_view:g}")
-        if not 0 <= self.min_depth_m < self.max_depth_m:
+        if not 0 <= as_float("min_depth_m", self.min_depth_m) < self.max_depth_m:
             raise ValueError(f"min_depth_m must lie in [0, max_depth_m), got {self.min_depth_m:g}")
-        if self.strip_row is None:
-            object.__setattr__(self, "strip_row", max(0, (self.rows - self.strip_rows) // 2))
+        row = max(0, (self.rows - self.strip_rows) // 2) if self.strip_row is None else self.strip_row
+        object.__setattr__(self, "strip_row", check_whole("strip_row", row, least=-self.rows))
         if not 0 <= self.first_strip_row <= self.rows - self.strip_rows:
             raise ValueError(
                 f"the strip must lie in the image's rows 0 to {self.rows - 1}, got rows {self.strip_row} to "

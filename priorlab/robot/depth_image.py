@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_poses
+from priorlab.core.checks import as_numbers, check_poses, check_record
 from priorlab.core.grid import Grid
 from priorlab.robot.depth_camera import DepthCamera
 from priorlab.robot.depth_noise import DepthNoise, disturb_depth, draw_faults, in_millimetres
@@ -55,7 +55,9 @@ def depth_image(
     >>> image[240, [0, 320, 639]].tolist()                         # one depth in the middle and at both edges
     [2000, 2000, 2000]
     """
-    camera = camera or DepthCamera()
+    camera = DepthCamera() if camera is None else camera
+    for name, value, kind in (("relief", relief, Relief), ("camera", camera, DepthCamera), ("noise", noise, DepthNoise)):
+        check_record(name, value, kind)
     depth = exact_depth(relief, pose, camera)
     if noise != NO_FAULTS:
         depth = disturb_depth(depth, noise, draw_faults(rng, camera.shape, noise.hole_side))
@@ -124,7 +126,7 @@ def _cast_on(
 
 def _check_pose(relief: Relief, pose: ArrayLike, camera: DepthCamera) -> tuple[float, float, float]:
     """x, y and theta, or a sentence about a place where no camera can be."""
-    x, y, theta = check_poses("pose", np.reshape(pose, (1, -1)))[0].tolist()
+    x, y, theta = check_poses("pose", as_numbers("pose", pose).reshape(1, -1))[0].tolist()
     grid = Grid(relief.shape)
     height, width = relief.shape
     if not grid.contains((x, y)):

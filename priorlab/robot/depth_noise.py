@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_rng
+from priorlab.core.checks import check_not_negative, check_rng, check_share, check_whole
 
 MOST_MM = 65_535
 """The largest depth that 16 bits hold."""
@@ -34,13 +34,9 @@ class DepthNoise:
 
     def __post_init__(self) -> None:
         for name in ("deviation_at_1m", "common_at_1m"):
-            value = getattr(self, name)
-            if not (np.isfinite(value) and value >= 0):
-                raise ValueError(f"{name} must be a finite number of at least 0, got {value:g}")
-        if not 0 <= self.hole_rate <= 1:
-            raise ValueError(f"hole_rate must lie between 0 and 1, got {self.hole_rate:g}")
-        if self.hole_side != int(self.hole_side) or self.hole_side < 1:
-            raise ValueError(f"hole_side must be a whole number of at least 1, got {self.hole_side}")
+            check_not_negative(name, getattr(self, name))
+        check_share("hole_rate", self.hole_rate)
+        object.__setattr__(self, "hole_side", check_whole("hole_side", self.hole_side))
 
 
 class FaultDraws(NamedTuple):

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.building import World
-from priorlab.core.checks import check_positive, check_rng
+from priorlab.core.checks import as_numbers, check_positive, check_record, check_rng
 from priorlab.core.grid import Grid
 from priorlab.core.pose import wrap_angle
 from priorlab.core.readings import RobotLog
@@ -53,6 +53,8 @@ def drive(
     RobotLog(21 scans of 60 beams over 2.0 m)
     """
     rng = check_rng(rng)
+    for name, value, kind in (("world", world, World), ("scanner", scanner, Scanner), ("odometry", odometry, Odometry)):
+        check_record(name, value, kind)
     truth = true_path(tour, step_m, turn)
     _check_way(world, truth)
     rng_wheels, rng_scanner = rng.spawn(2)
@@ -78,7 +80,7 @@ def true_path(tour: ArrayLike, step_m: float = 0.1, turn: float = math.radians(1
     """
     check_positive("step_m", step_m)
     check_positive("turn", turn)
-    corners = np.asarray(tour, dtype=np.float64)
+    corners = as_numbers("tour", tour)
     if corners.ndim != 2 or corners.shape[1] != 2:
         raise ValueError(f"tour must have shape (M, 2) for x, y in metres, got shape {corners.shape}")
     if not np.isfinite(corners).all():
@@ -93,7 +95,7 @@ def true_path(tour: ArrayLike, step_m: float = 0.1, turn: float = math.radians(1
     poses = [np.array([[*starts[0], headings[0]]])]
     for start, leg, heading in zip(starts, legs, headings, strict=True):
         poses.append(_turn_on_the_spot(poses[-1][-1], heading, turn))
-        n_steps = math.ceil(float(np.hypot(*leg)) / step_m - 1e-9)
+        n_steps = max(1, math.ceil(float(np.hypot(*leg)) / step_m - 1e-9))
         xy = start + np.linspace(0.0, 1.0, n_steps + 1)[1:, None] * leg
         poses.append(np.column_stack([xy, np.full(n_steps, heading)]))
     return np.concatenate(poses)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.building import Truth, World
-from priorlab.core.checks import check_poses, check_whole
+from priorlab.core.checks import check_poses, check_record, check_whole
 from priorlab.core.grid import Grid
 from priorlab.core.progress import Progress
 from priorlab.core.readings import Readings
@@ -20,6 +20,10 @@ from priorlab.robot.rays import cast_rays
 
 EXACT = RangeNoise()
 """The sensor of chapter 4: every range is right."""
+
+
+MOST_REPEATS = 100_000
+"""Readings per pose: more say nothing new, and would not fit into memory."""
 
 
 def explore(
@@ -60,9 +64,12 @@ def explore(
     >>> readings.ranges[0, len(readings.bearings) // 2].item()
     4.5
     """
-    sensor = sensor or RangeSensor()
+    sensor = RangeSensor() if sensor is None else sensor
+    check_record("building", building, Truth, World)
+    check_record("sensor", sensor, RangeSensor)
+    check_record("noise", noise, RangeNoise)
     poses = _check_survey(building, survey)
-    repeats = check_whole("repeats", repeats)
+    repeats = check_whole("repeats", repeats, most=MOST_REPEATS)
     bearings = bearings_of(sensor)
     angles = poses[:, 2, None] + bearings
     origins = np.repeat(poses[:, :2], len(bearings), axis=0)

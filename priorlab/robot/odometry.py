@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_poses
+from priorlab.core.checks import check_poses, check_record, check_rng
 from priorlab.core.pose import wrap_angle
 from priorlab.core.sensor import Odometry
 
@@ -44,6 +44,10 @@ def report_odometry(truth: NDArray[np.float64], odometry: Odometry, rng: np.rand
     [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
     """
     truth = check_poses("truth", truth)
+    if len(truth) == 0:
+        raise ValueError("truth must hold at least one pose, got none")
+    check_record("odometry", odometry, Odometry)
+    rng = check_rng(rng)
     rot1, trans, rot2 = split_step(truth[:-1], truth[1:])
     turn1, turn2 = _size_of_turn(rot1), _size_of_turn(rot2)
     a1, a2, a3, a4 = odometry.alphas

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_rng
+from priorlab.core.checks import check_not_negative, check_positive, check_record, check_rng, check_share
 
 
 @dataclass(frozen=True)
@@ -29,12 +29,9 @@ class RangeNoise:
 
     def __post_init__(self) -> None:
         for name in ("deviation", "min_range"):
-            value = getattr(self, name)
-            if not (np.isfinite(value) and value >= 0):
-                raise ValueError(f"{name} must be a finite number of at least 0, got {value:g}")
+            check_not_negative(name, getattr(self, name))
         for name in ("outlier_rate", "dropout_rate"):
-            if not 0 <= getattr(self, name) <= 1:
-                raise ValueError(f"{name} must lie between 0 and 1, got {getattr(self, name):g}")
+            check_share(name, getattr(self, name))
 
 
 def disturb(
@@ -57,6 +54,8 @@ def disturb(
     [nan, 1.0, inf]
     """
     rng = check_rng(rng)
+    check_record("noise", noise, RangeNoise)
+    check_positive("max_range", max_range)
     spread, random_range, is_outlier, is_lost = (
         rng.standard_normal(ranges.shape),
         rng.random(ranges.shape),

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_image, check_positive
+from priorlab.core.checks import as_numbers, check_image, check_positive
 from priorlab.core.grid import Grid
 from priorlab.core.progress import Progress
 
@@ -51,8 +51,7 @@ def cast_rays(
     """
     obstacles = check_image("obstacles", obstacles)
     check_positive("max_range", max_range)
-    origins = np.asarray(origins_xy, dtype=np.float64)
-    angles = np.asarray(angles, dtype=np.float64)
+    origins, angles = as_numbers("origins_xy", origins_xy), as_numbers("angles", angles)
     _check_rays(obstacles, origins, angles)
 
     # A rim of OUTSIDE pixels round the map ends every walk; rows counted from the bottom make "up" a positive step.
@@ -118,6 +117,8 @@ def _closed_corner(kind: NDArray, pixel: NDArray, step_x: NDArray, step_y: NDArr
 
 def _check_rays(obstacles: NDArray, origins: NDArray, angles: NDArray) -> None:
     """Say when rays do not start on the map."""
+    if angles.ndim != 1:
+        raise ValueError(f"angles must be one row of finite numbers, got shape {angles.shape}")
     if origins.shape != (len(angles), 2):
         raise ValueError(f"origins_xy must have shape {(len(angles), 2)}, one per angle, got {origins.shape}")
     if not np.isfinite(angles).all():

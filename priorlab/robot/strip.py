@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_poses, check_positive
+from priorlab.core.checks import check_poses, check_positive, check_record
 from priorlab.core.readings import Readings
 from priorlab.core.sensor import RangeSensor
 from priorlab.robot.depth_camera import DepthCamera
@@ -46,7 +46,8 @@ def strip_ranges(image: ArrayLike, camera: DepthCamera | None = None) -> StripRa
     >>> ranges.round(3).tolist(), valid.tolist()          # 2 m / cos(20.3 degrees), the zero left out, no reading
     ([2.132, 1.0, inf], [True, True, False])
     """
-    camera = camera or DepthCamera()
+    camera = DepthCamera() if camera is None else camera
+    check_record("camera", camera, DepthCamera)
     return mean_ranges(check_depth_image(image, camera)[camera.strip], camera)
 
 
@@ -98,7 +99,10 @@ def readings_from_scans(
 
 def check_depth_image(image: ArrayLike, camera: DepthCamera) -> NDArray:
     """The image as an array of whole millimetres, or a sentence."""
-    array = np.asarray(image)
+    try:
+        array = np.asarray(image)
+    except ValueError:  # rows of different lengths
+        raise ValueError(f"a depth image must have {camera.rows} x {camera.columns} pixels, got uneven rows") from None
     if array.shape != camera.shape:
         raise ValueError(f"a depth image must have {camera.rows} x {camera.columns} pixels, got shape {array.shape}")
     if array.dtype.kind not in "ui":

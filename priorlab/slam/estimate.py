@@ -7,6 +7,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_record
 from priorlab.slam.kld import number_bins, pose_bins, theta_bin_count
 from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.particles import Particles
@@ -29,6 +30,8 @@ def estimate_pose(particles: Particles, parameters: Parameters = TUNED) -> NDArr
     >>> estimate_pose(spread).round(3).tolist()                               # the two that stand together weigh more
     [0.1, 0.0, 0.0]
     """
+    check_record("particles", particles, Particles)
+    check_record("parameters", parameters, Parameters)
     weights = particles.weights
     if parameters.estimate == "best":
         return particles.poses[int(np.argmax(weights))].copy()

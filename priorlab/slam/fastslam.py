@@ -45,6 +45,7 @@ class FastSLAM:
     """
 
     def __init__(self, parameters: Parameters = TUNED, **changes: Any) -> None:
+        check_record("parameters", parameters, Parameters)
         known = sorted(field.name for field in fields(Parameters))
         for name in changes:
             nearest_name("parameter", name, known)

@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_record
 from priorlab.core.grid import Grid
 from priorlab.core.grid_map import GridMap
 from priorlab.core.log_odds import log_odds, probability
@@ -76,6 +77,8 @@ class LikelihoodField:
         ValueError
             When the map has no obstacle (an uninformed prior, or too high an effective p_wall), no scale, or too many cells.
         """
+        check_record("grid_map", grid_map, GridMap)
+        check_record("parameters", parameters, Parameters)
         if max(grid_map.grid.shape) > _LARGEST_SIDE:
             raise ValueError(f"a side of the map must be at most {_LARGEST_SIDE} cells for the field, got {grid_map.grid.shape}")
         field = cls(np.empty(grid_map.grid.shape, dtype=np.float32), grid_map.grid, parameters)

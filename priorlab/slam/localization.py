@@ -10,6 +10,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from priorlab.core.checks import check_record
 from priorlab.slam.kld import kld_count, number_bins, pose_bins
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.measurement import log_weights
@@ -39,16 +40,21 @@ def predict(
     particles: Particles, before: ArrayLike, after: ArrayLike, rng: np.random.Generator, parameters: Parameters = TUNED
 ) -> Particles:
     """x_k^[j] = SampleMotionModel(u_k, x_{k-1}^[j]) for all j."""
+    check_record("particles", particles, Particles)
     return Particles(sample_motion(particles.poses, before, after, rng, parameters), particles.log_weights)
 
 
 def weigh(particles: Particles, scan: Scan, field: LikelihoodField) -> Particles:
     """w_k^[j] = MeasurementModel(z_k, x_k^[j], m_{k-1}) for all j, times the weight that was left over."""
+    for name, value, kind in (("particles", particles, Particles), ("scan", scan, Scan), ("field", field, LikelihoodField)):
+        check_record(name, value, kind)
     return Particles(particles.poses, particles.log_weights + log_weights(particles.poses, scan, field))
 
 
 def choose(particles: Particles, rng: np.random.Generator, parameters: Parameters = TUNED) -> Particles:
     """Draw with a probability proportional to w_k^[j], as many as the spread asks for; afterwards all weigh the same."""
+    check_record("particles", particles, Particles)
+    check_record("parameters", parameters, Parameters)
     fewest, most = parameters.particle_limits
     weights = particles.weights
     n_draws = most

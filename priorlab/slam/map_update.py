@@ -15,6 +15,9 @@ from priorlab.slam.scan import Scan
 
 UNSEEN, FREE, OCCUPIED = 0, 1, 2
 
+MOST_CELLS = 10**9
+"""The window that a scan's rays span, a byte for each: 1.5 km at cells of 0.05 m."""
+
 
 @dataclass(frozen=True, eq=False)
 class SeenCells:
@@ -42,6 +45,11 @@ def see_cells(grid: Grid, pose: NDArray[np.float64], scan: Scan, parameters: Par
     grid : the map's cells
     pose : (3,) x, y, theta of the robot; metres
     scan : the beams
+
+    Raises
+    ------
+    ValueError
+        When the rays are so long that their cells would not fit into memory.
     """
     x, y, theta = pose
     cos, sin = np.cos(theta), np.sin(theta)
@@ -56,7 +64,13 @@ def see_cells(grid: Grid, pose: NDArray[np.float64], scan: Scan, parameters: Par
 
     cells = grid.xy_to_cell(grid.metres_to_xy(np.vstack([eye, hits, behind, open_ends])))
     first = cells.min(axis=0)  # the window may stick out of the map: a ray cut at the rim would take other cells
-    labels = np.zeros(cells.max(axis=0) - first + 1, dtype=np.uint8)
+    window = cells.max(axis=0) - first + 1
+    if window[0] * float(window[1]) > MOST_CELLS:
+        raise ValueError(
+            f"max_range_m and thickening_m must let a scan reach over at most {MOST_CELLS:,} cells, got {window[0]:,} x "
+            f"{window[1]:,} from ranges of up to {np.max(scan.ranges, initial=0.0):g} m"
+        )
+    labels = np.zeros(window, dtype=np.uint8)
     points = (cells - first)[:, ::-1].astype(np.int32)  # cv2 wants col, row
     n = len(scan)
     eye_cell, hit_cells, behind_cells, open_cells = points[:1], points[1 : n + 1], points[n + 1 : 2 * n + 1], points[2 * n + 1 :]

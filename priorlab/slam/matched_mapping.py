@@ -14,13 +14,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import check_not_negative, check_positive, check_record
 from priorlab.core.grid_map import GridMap
 from priorlab.core.pose import compose, relative
 from priorlab.core.readings import RobotLog
 from priorlab.slam.connected_scan import connect_beams
 from priorlab.slam.growing_map import GrowingMap
-from priorlab.slam.parameters import Parameters
+from priorlab.slam.parameters import LEAST, MOST, Parameters
 from priorlab.slam.scan import choose_beams
 from priorlab.slam.scan_matching import MATCHING, Window, match_scan
 from priorlab.slam.trajectory_error import absolute_trajectory_error_m, heading_errors, true_poses
@@ -46,8 +46,7 @@ class Slip:
         for name in ("least_m", "least_turn"):
             check_positive(name, getattr(self, name))
         for name in ("per_m", "turn_per_m", "turn_share"):
-            if not (math.isfinite(getattr(self, name)) and getattr(self, name) >= 0):
-                raise ValueError(f"{name} must be a finite number of at least 0, got {getattr(self, name):g}")
+            check_not_negative(name, getattr(self, name))
 
     def window(self, step: NDArray[np.float64]) -> Window:
         """Where to look after the wheels reported a step (3,) in the robot's frame.
@@ -130,9 +129,15 @@ def map_by_matching(
     ValueError
         When the log is empty.
     """
+    slip = Slip() if slip is None else slip
+    for name, value, kind in (("log", log, RobotLog), ("parameters", parameters, Parameters), ("slip", slip, Slip)):
+        check_record(name, value, kind)
     if len(log) == 0:
         raise ValueError("the log must hold at least one scan, got 0")
-    slip = slip or Slip()
+    if not LEAST <= check_positive("cell_m", cell_m) <= MOST:
+        raise ValueError(f"cell_m must lie between {LEAST:g} and {MOST:g}, got {cell_m:g}")
+    check_not_negative("insert_after_m", insert_after_m)
+    check_not_negative("insert_after_turn", insert_after_turn)
     all_beams = replace(parameters, n_beams=len(log.bearings))
     growing = GrowingMap(parameters, cell_m, log.start[:2])
     steps = relative(log.odometry[:-1], log.odometry[1:])

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from priorlab.core.checks import check_pose, check_poses, check_record, check_rng
 from priorlab.core.pose import wrap_angle
 from priorlab.slam.parameters import TUNED, Parameters
 
@@ -22,7 +23,7 @@ def motion_parts(before: ArrayLike, after: ArrayLike) -> tuple[float, float, flo
     >>> [round(part, 3) for part in motion_parts([0, 0, 0], [0, 2, 0])]       # turn left, drive 2 m, turn back
     [1.571, 2.0, -1.571]
     """
-    (x, y, theta), (x_after, y_after, theta_after) = np.asarray(before, float), np.asarray(after, float)
+    (x, y, theta), (x_after, y_after, theta_after) = check_pose("before", before), check_pose("after", after)
     trans = float(np.hypot(x_after - x, y_after - y))  # the root of the SUM: the print has a comma
     rot1 = float(wrap_angle(np.arctan2(y_after - y, x_after - x) - theta)) if trans >= STANDSTILL_M else 0.0
     rot2 = float(wrap_angle(theta_after - theta - rot1))  # the line that the print lacks
@@ -68,8 +69,9 @@ def sample_motion(
     >>> sample_motion(np.array([[5.0, 5.0, 0.0]]), [0, 0, 0], [1, 0, 0], np.random.default_rng(0), exact).tolist()
     [[6.0, 5.0, 0.0]]
     """
-    parts = motion_parts(before, after)
-    noise = rng.standard_normal((len(poses), 3)) * motion_deviations(*parts, parameters)
+    check_record("parameters", parameters, Parameters)
+    poses, parts = check_poses("poses", poses), motion_parts(before, after)
+    noise = check_rng(rng).standard_normal((len(poses), 3)) * motion_deviations(*parts, parameters)
     rot1, trans, rot2 = (np.array(parts) - noise).T
     x, y, theta = poses.T
     return np.column_stack(

@@ -9,12 +9,34 @@ import math
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from priorlab.core.checks import as_float, check_positive, check_probability, check_whole
+from priorlab.core.checks import (
+    as_float,
+    check_choice,
+    check_flag,
+    check_not_negative,
+    check_positive,
+    check_probability,
+    check_share,
+    check_whole,
+)
 from priorlab.core.log_odds import OCCUPIED_IN_FIELD
-from priorlab.core.sensor import check_sensor_model
+from priorlab.core.sensor import MOST_ALPHA, check_sensor_model
 
 MOST_OWN_MAPS = 100
 """Particles that may have a map of their own (`localize_in="own"`): a step takes about a millisecond for each."""
+
+
+MOST_PARTICLES = 10_000_000
+"""More would not fit into a computer's memory."""
+
+LEAST, MOST = 1e-6, 1e6
+"""Sizes, angles and spreads outside mean nothing, and their squares would leave the numbers that there are."""
+
+LEAST_PROBABILITY = 1e-12
+"""Below it a likelihood would vanish in the field's 32 bits."""
+
+METHODS = ("systematic", "stratified", "multinomial")
+"""How particles are drawn."""
 
 
 @dataclass(frozen=True)
@@ -111,48 +133,52 @@ class Parameters:
     free_on_no_return: bool = False
 
     def __post_init__(self) -> None:
+        for name, choices in _CHOICES.items():
+            check_choice(name, getattr(self, name), choices)
         for name in ("sigma_hit_m", "max_distance_m", "max_range_m", "kld_epsilon", "kld_quantile", "kld_bin_m", "kld_bin_theta"):
-            check_positive(name, getattr(self, name))
+            if not LEAST <= check_positive(name, getattr(self, name)) <= MOST:
+                raise ValueError(f"{name} must lie between {LEAST:g} and {MOST:g}, got {getattr(self, name):g}")
         for name in ("z_random", "occupied_below"):
-            check_probability(name, getattr(self, name))
+            if check_probability(name, getattr(self, name)) < LEAST_PROBABILITY:
+                raise ValueError(f"{name} must be at least {LEAST_PROBABILITY:g}, got {getattr(self, name):g}")
         check_sensor_model(self.p_free, self.p_occupied)
-        for name, n_values in (("alphas", 4), ("start_variances", 3)):
+        for name, n_values, most in (("alphas", 4, MOST_ALPHA), ("start_variances", 3, MOST**2)):
             values = _as_numbers(getattr(self, name))
             if len(values) != n_values or not all(value >= 0 for value in values):
                 raise ValueError(f"{name} must be {n_values} finite numbers of at least 0, got {getattr(self, name)}")
+            if max(values) > most:
+                raise ValueError(f"{name} must be at most {most:g}, got {max(values):g}")
             object.__setattr__(self, name, values)  # a list is as good as a tuple, but a record must hash
         offset = _as_numbers(self.sensor_offset_m)
         if len(offset) != 2:
             raise ValueError(f"sensor_offset_m must be two finite numbers x, y, got {self.sensor_offset_m}")
+        if max(map(abs, offset)) > MOST:
+            raise ValueError(f"sensor_offset_m must be at most {MOST:g}, got {self.sensor_offset_m}")
         object.__setattr__(self, "sensor_offset_m", offset)
         for name in ("n_beams", "resampling_interval"):
-            object.__setattr__(self, name, check_whole(name, getattr(self, name)))
+            object.__setattr__(self, name, check_whole(name, getattr(self, name), most=MOST_PARTICLES))
         limits = _as_numbers(self.particle_limits)
         if len(limits) != 2 or not (1 <= limits[0] <= limits[1] and all(limit.is_integer() for limit in limits)):
             raise ValueError(f"particle_limits must be the fewest, at least 1, and the most, got {self.particle_limits}")
         fewest, most = (int(limit) for limit in limits)
+        if most > MOST_PARTICLES:
+            raise ValueError(f"particle_limits must be at most {MOST_PARTICLES:,}, got {most:g}")
         object.__setattr__(self, "particle_limits", (fewest, most))
         if self.localize_in == "own" and most > MOST_OWN_MAPS:
             raise ValueError(f"particle_limits must be at most {MOST_OWN_MAPS} for a map per particle, got {most}")
-        for name in ("temper", "lam", "weigh_every_m", "weigh_every_theta", "lag_m", "thickening_m"):
-            as_float(name, getattr(self, name))
-        if not 0 < self.temper <= 1:
+        if not 0 < as_float("temper", self.temper) <= 1:
             raise ValueError(f"temper must lie in (0, 1], got {self.temper:g}")
-        if not 0 <= self.lam <= 1:
-            raise ValueError(f"lam must lie between 0 and 1, got {self.lam:g}")
+        check_share("lam", self.lam)
         for name in ("weigh_every_m", "weigh_every_theta", "lag_m", "thickening_m"):
-            if not (math.isfinite(getattr(self, name)) and getattr(self, name) >= 0):
-                raise ValueError(f"{name} must be a finite number of at least 0, got {getattr(self, name):g}")
-        for name, choices in _CHOICES.items():
-            if getattr(self, name) not in choices:
-                raise ValueError(f"{name} must be one of {', '.join(choices)}, got {getattr(self, name)!r}")
+            check_not_negative(name, getattr(self, name), MOST)
+        object.__setattr__(self, "free_on_no_return", check_flag("free_on_no_return", self.free_on_no_return))
 
 
 def _as_numbers(values: Any) -> tuple[float, ...]:
     """The values as finite floats; none when they are something else, which the check of their number then says."""
     try:
         numbers = tuple(float(value) for value in values)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return ()
     return numbers if all(map(math.isfinite, numbers)) else ()
 
@@ -160,7 +186,7 @@ def _as_numbers(values: Any) -> tuple[float, ...]:
 _CHOICES = {
     "noise": ("variance", "std"),
     "rotation_noise": ("symmetric", "literal"),
-    "resampling": ("systematic", "stratified", "multinomial"),
+    "resampling": METHODS,
     "estimate": ("cluster", "mean", "best"),
     "localize_in": ("updated", "static", "own"),
 }

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_poses
+from priorlab.core.checks import as_numbers, check_pose, check_poses, check_rng, check_whole
 from priorlab.core.pose import wrap_angle
+from priorlab.slam.parameters import MOST_PARTICLES
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +34,7 @@ class Particles:
         poses = check_poses("poses", self.poses)
         if len(poses) == 0:
             raise ValueError("poses must hold at least one particle, got none")
-        logs = np.zeros(len(poses)) if self.log_weights is None else np.asarray(self.log_weights, dtype=np.float64)
+        logs = np.zeros(len(poses)) if self.log_weights is None else as_numbers("log_weights", self.log_weights)
         if logs.shape != (len(poses),) or np.isnan(logs).any() or not np.isfinite(logs.max()):
             raise ValueError(f"log_weights must be {len(poses)} numbers, at least one of them finite, got shape {logs.shape}")
         object.__setattr__(self, "poses", poses)
@@ -66,6 +67,11 @@ def start_particles(
     >>> start_particles([1, 2, 0], 3, (0, 0, 0), np.random.default_rng(0)).poses.tolist()
     [[1.0, 2.0, 0.0], [1.0, 2.0, 0.0], [1.0, 2.0, 0.0]]
     """
-    poses = np.asarray(start, dtype=np.float64) + rng.standard_normal((n_particles, 3)) * np.sqrt(variances)
+    rng, n_particles = check_rng(rng), check_whole("n_particles", n_particles, most=MOST_PARTICLES)
+    centre = check_pose("start", start)
+    spread = as_numbers("variances", variances)
+    if spread.shape != (3,) or not (np.isfinite(spread) & (spread >= 0)).all():
+        raise ValueError(f"variances must be three finite numbers of at least 0, got {variances}")
+    poses = centre + rng.standard_normal((n_particles, 3)) * np.sqrt(spread)
     poses[:, 2] = wrap_angle(poses[:, 2])
     return Particles(poses)

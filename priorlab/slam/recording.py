@@ -102,6 +102,8 @@ class Run:
 
     def _check_step(self, step: int) -> int:
         """A step from the front, also when it was counted from the end."""
+        if not isinstance(step, int | np.integer):
+            raise ValueError(f"step must be a whole number, got {step!r}")
         from_front = step + len(self) if step < 0 else step
         if not 0 <= from_front < len(self):
             raise ValueError(f"step must lie between 0 and {len(self) - 1}, got {step}")

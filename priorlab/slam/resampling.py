@@ -11,7 +11,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_whole
+from priorlab.core.checks import as_numbers, check_choice, check_rng, check_whole
+from priorlab.slam.parameters import METHODS, MOST_PARTICLES
 
 
 def resample(
@@ -42,22 +43,21 @@ def resample(
     >>> resample([0.5, 0.0, 0.25, 0.25], 4, np.random.default_rng(0)).tolist()
     [0, 0, 2, 3]
     """
-    weights = np.asarray(weights, dtype=np.float64)
+    weights, rng = as_numbers("weights", weights), check_rng(rng)
+    check_choice("resampling", method, METHODS)
     if weights.ndim != 1 or len(weights) == 0:
         raise ValueError(f"weights must be a list of at least one number, got shape {weights.shape}")
     if not (weights >= 0).all():
         raise ValueError(f"weights must not be negative or nan, got {weights[~(weights >= 0)][0]:g}")
     if not abs(weights.sum() - 1.0) <= 1e-9:
         raise ValueError(f"weights must sum to 1, got {weights.sum():.6g}")
-    n_draws = check_whole("n_draws", n_draws)
+    n_draws = check_whole("n_draws", n_draws, most=MOST_PARTICLES)
     if method == "systematic":
         positions = (np.arange(n_draws) + rng.random()) / n_draws
     elif method == "stratified":
         positions = (np.arange(n_draws) + rng.random(n_draws)) / n_draws
-    elif method == "multinomial":
-        positions = rng.random(n_draws)
     else:
-        raise ValueError(f"resampling must be one of systematic, stratified, multinomial, got {method!r}")
+        positions = rng.random(n_draws)
     shares = np.cumsum(weights)
     last = np.flatnonzero(weights)[-1]  # rounding may leave the sum a hair below 1: the rest belongs to the last with weight
     return np.minimum(np.searchsorted(shares, positions, side="right"), last)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from priorlab.core.checks import check_record
 from priorlab.core.log_odds import log_odds
 from priorlab.core.sensor import RangeSensor
 from priorlab.mapping.timeline import EvidenceOverTime
@@ -25,7 +26,8 @@ def evidence_of_run(run: Run, parameters: Parameters | None = None) -> EvidenceO
     -------
     EvidenceOverTime, a reading per step: `.at(k)` is what the first k scans say, and `score_over_time` takes it as it is
     """
-    parameters = parameters or run.parameters
+    check_record("run", run, Run)
+    parameters = run.parameters if parameters is None else parameters
     grid = run.prior_map.grid
     said = np.zeros(3)
     said[FREE], said[OCCUPIED] = log_odds([parameters.p_free, parameters.p_occupied])

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_record
 from priorlab.core.pose import wrap_angle
 from priorlab.core.readings import RobotLog
 from priorlab.slam.parameters import Parameters
@@ -44,6 +45,10 @@ def choose_beams(log: RobotLog, step: int, parameters: Parameters) -> Scan:
     nan is no reading; too near, too far and inf are no return (the test z != z_max of algorithm 6.4, with the sensor's range
     for z_max). What is left is thinned evenly to `parameters.n_beams`: thinning first would leave too few.
     """
+    check_record("log", log, RobotLog)
+    check_record("parameters", parameters, Parameters)
+    if not isinstance(step, int | np.integer) or not -len(log) <= step < len(log):
+        raise ValueError(f"step must be a whole number below the {len(log)} scans of the log, got {step!r}")
     ranges, bearings = log.ranges[step], log.bearings
     farthest = min(parameters.max_range_m, log.scanner.max_range_m)
     returned = np.flatnonzero((ranges >= log.scanner.min_range_m) & (ranges < farthest) & (ranges > 0))  # False for nan

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_poses, check_record
+from priorlab.core.checks import as_float, check_poses, check_record
 from priorlab.core.pose import compose, relative, wrap_angle
 from priorlab.core.readings import RobotLog
 
@@ -71,14 +71,15 @@ def relative_heading_error(estimated: ArrayLike, truth: ArrayLike, delta: int = 
 def _errors_of_motion(estimated: ArrayLike, truth: ArrayLike, delta: int) -> NDArray[np.float64]:
     """(T - delta, 3) what is left of every estimated motion when the true one is taken off: x, y, theta."""
     estimated, truth = _paired(estimated, truth)
-    if not 1 <= delta < len(truth):
+    if not 1 <= as_float("delta", delta) < len(truth) or delta != int(delta):
         raise ValueError(f"delta must be at least 1 and below the {len(truth)} poses, got {delta}")
-    moved, truly_moved = (relative(poses[:-delta], poses[delta:]) for poses in (estimated, truth))
+    moved, truly_moved = (relative(poses[: -int(delta)], poses[int(delta) :]) for poses in (estimated, truth))
     return relative(truly_moved, moved)
 
 
 def dead_reckoning(log: RobotLog) -> NDArray[np.float64]:
     """(T, 3) where the robot would be by its wheels alone, from `log.start`: the baseline of every localization."""
+    check_record("log", log, RobotLog)
     return compose(log.start, relative(log.odometry[0], log.odometry))
 
 

@@ -232,7 +232,7 @@ def test_read_carmen_says_when_a_gzip_file_breaks_off(tmp_path):
 def test_read_carmen_reads_only_the_first(tmp_path):
     path = write_carmen(tmp_path / "a.log", log_by_hand(3))
     assert len(read_carmen(path, first=2)) == 2 and len(read_carmen(path, first=5)) == 3
-    with pytest.raises(ValueError, match="first must be at least 1"):
+    with pytest.raises(ValueError, match="first must be a whole number of at least 1, got 0"):
         read_carmen(path, first=0)
 
 

@@ -283,6 +283,7 @@ GOOD = dict(image="m.pgm", resolution=0.05, origin=[0, 0, 0], negate=0, occupied
         (dict(mode="binary"), "mode must be"),
         (dict(negate=2), "negate must be 0 or 1"),
         (dict(image=""), "image must be the name of a file"),
+        (dict(image="../m.pgm\0"), "image must be the name of a file"),
         (dict(image=7), "image must be the name of a file"),
     ],
 )

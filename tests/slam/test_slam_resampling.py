@@ -23,10 +23,11 @@ def global_offsets(seed):
         np.random.set_state(state)  # noqa: NPY002
 
 
-class SameOffsets:
+class SameOffsets(np.random.Generator):
     """Stands in for a Generator and draws what the seeded global generator would."""
 
     def __init__(self, seed):
+        super().__init__(np.random.PCG64(seed))
         self.legacy = np.random.RandomState(seed)  # noqa: NPY002
 
     def random(self, size=None):
@@ -96,10 +97,11 @@ def test_resample_multinomial_varies_most_and_systematic_least():
     assert 1.2 * spread["systematic"] < spread["stratified"] < spread["multinomial"] / 1.2
 
 
-class Always:
+class Always(np.random.Generator):
     """A Generator that draws one number again and again."""
 
     def __init__(self, number):
+        super().__init__(np.random.PCG64(0))
         self.number = number
 
     def random(self, size=None):
