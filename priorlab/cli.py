@@ -124,6 +124,9 @@ def _parser() -> argparse.ArgumentParser:
     )
     localize.add_argument("--wheel-noise", type=float, metavar="A", help="all four alphas of algorithm 6.3 (default 0.01)")
     localize.add_argument(
+        "--temper", type=float, metavar="T", help="how much a scan counts, up to 1 (default 0.05; 0.2 where scans lie far apart)"
+    )
+    localize.add_argument(
         "--map-mode",
         choices=("trinary", "scale", "raw"),
         default="trinary",
@@ -223,13 +226,15 @@ def _localize(arguments: argparse.Namespace) -> int:
     import math
 
     from priorlab.report.own_log import WHEEL_NOISE, drive_own_log, numbers_of_run, read_own_log, write_own_log
+    from priorlab.slam.parameters import TUNED
 
     tell = _Clock()
     tell("the log and the map")
     x, y, degrees = arguments.start
     noise = WHEEL_NOISE if arguments.wheel_noise is None else arguments.wheel_noise
+    temper = TUNED.temper if arguments.temper is None else arguments.temper
     start, off = (x, y, math.radians(degrees)), (arguments.start_error[0], math.radians(arguments.start_error[1]))
-    own = read_own_log(arguments.log, arguments.map, start, arguments.metres_per_pixel, arguments.max_range, noise, off)
+    own = read_own_log(arguments.log, arguments.map, start, arguments.metres_per_pixel, arguments.max_range, noise, off, temper)
     out = Path(arguments.out)
     out.absolute().parent.mkdir(parents=True, exist_ok=True)
     part = out.with_name(f"{out.name}.part")

@@ -50,7 +50,7 @@ class OwnLog:
     prior_map : m_0; its lower left corner is 0, 0
     log : starts in that frame, and holds no truth
     corrected : the same log; its truth is what a mapper has made of it, laid on the start. None when there is no such
-    parameters : `TUNED`, but for the laser's range and the wheels
+    parameters : `TUNED`, but for the laser's range, the wheels, the start and the temper
     origin : x, y (metres), theta of the map's lower left corner in the frame that the user speaks of (a ROS map's origin)
     """
 
@@ -69,6 +69,7 @@ def read_own_log(
     max_range_m: float | None = None,
     wheel_noise: float = WHEEL_NOISE,
     start_error: tuple[float, float] = (0.0, 0.0),
+    temper: float = TUNED.temper,
 ) -> OwnLog:
     """Read a CARMEN log and the map it was driven in.
 
@@ -82,6 +83,7 @@ def read_own_log(
     max_range_m : beams from here on do not count; by default the laser's range, at most 20 m
     wheel_noise : alpha_1 to alpha_4 of algorithm 6.3, variances per squared metre or radian
     start_error : how far the start may be off, standard deviations: of x and y (metres) and of theta (radians)
+    temper : exponent of a scan's likelihood; scans that lie more than a metre apart must count more to be followed
 
     The poses of a CARMEN log are the laser's own, as `start` is, so there is no sensor offset to take account of
     (`sensor_offset_m` stays 0). Poses that a mapper has corrected lie in a frame of their own. Laid on the start, they tell how
@@ -105,7 +107,13 @@ def read_own_log(
         prior_map,
         replace(log, start=here, truth=None),
         None if corrected is None else replace(log, start=here, truth=corrected),
-        replace(TUNED, max_range_m=farthest, alphas=(wheel_noise,) * 4, start_variances=(off_m**2, off_m**2, off_turn**2)),
+        replace(
+            TUNED,
+            max_range_m=farthest,
+            alphas=(wheel_noise,) * 4,
+            start_variances=(off_m**2, off_m**2, off_turn**2),
+            temper=temper,
+        ),
         origin,
     )
 
@@ -188,6 +196,7 @@ def _begun_otherwise(own: OwnLog, seed: int | None, part: Path) -> list[str]:
         "--start-error": parameters.start_variances == wished.start_variances,
         "--max-range": parameters.max_range_m == wished.max_range_m,
         "--wheel-noise": parameters.alphas == wished.alphas,
+        "--temper": parameters.temper == wished.temper,
         "--seed": seed is None or rng == state_of(np.random.default_rng(seed)),
     }
     other = [name for name, is_same in same.items() if not is_same]
@@ -237,4 +246,5 @@ def numbers_of_run(run: Run, corrected: RobotLog | None) -> dict[str, Any]:
         "cell_m": run.map.grid.cell_size_m,
         "max_range_m": run.parameters.max_range_m,
         "alphas": list(run.parameters.alphas),
+        "temper": run.parameters.temper,
     }

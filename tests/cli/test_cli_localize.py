@@ -177,6 +177,7 @@ def test_localize_goes_on_after_an_interruption(place, done, tmp_path):
         ({"start": ["nan", "0", "0"]}, "start must be finite numbers"),
         ({"--max-range": "-1"}, "priorlab: --max-range must be a finite number above 0, got -1"),
         ({"--wheel-noise": "-0.1"}, "priorlab: --wheel-noise must not be negative, got -0.1"),
+        ({"--temper": "1.5"}, "priorlab: --temper must lie in (0, 1], got 1.5"),
         ({"--wheel-noise": "nan"}, "priorlab: --wheel-noise must be a finite number, got nan"),
         ({"--resume": None}, "a checkpoint must lie at"),
         ({"--start-error": ["1e200", "5"]}, "priorlab: --start-error must be at most 1e+06, got 1e+200 m"),
@@ -188,7 +189,7 @@ def test_localize_says_what_is_wrong(place, tmp_path, capsys, change, sentence):
     folder, log = place
     start = change.get("start", degrees_at(compose(np.array(ORIGIN), log.start)))
     command = localize(folder, change.get("log", "drive.log.gz"), change.get("--map", "plan.yaml"), tmp_path / "out", start)
-    for name in ("--metres-per-pixel", "--max-range", "--wheel-noise", "--resume"):
+    for name in ("--metres-per-pixel", "--max-range", "--wheel-noise", "--temper", "--resume"):
         command += [] if name not in change else [name] if change[name] is None else [f"{name}={change[name]}"]
     command += ["--start-error", *change["--start-error"]] if "--start-error" in change else []
     assert main(command) == 2
@@ -241,6 +242,7 @@ def resumed(folder, options, log_name="blind.log"):
         ({"--start-error": ["0.1", "5"]}, "--start-error"),
         ({"--max-range": ["5"]}, "--max-range"),
         ({"--wheel-noise": ["0.02"]}, "--wheel-noise"),
+        ({"--temper": ["0.2"]}, "--temper"),
         ({"--metres-per-pixel": ["0.1"], "--start": ["1", "1.5", "0"]}, "--map"),  # as many cells, twice as large
         ({"--seed": ["4"], "--max-range": ["5"]}, "--max-range, --seed"),
     ],
