@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from priorlab.core.building import Truth
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import check_positive, check_record
 from priorlab.core.drawing import Walls
 from priorlab.core.grid_map import GridMap
 from priorlab.core.log_odds import DETECTED_WALL
@@ -72,6 +72,7 @@ class Score:
 
 def score_mask(detected: ArrayLike, truth: Truth, beta: float = 2.0, threshold: float | None = None) -> Score:
     """Count a (height, width) mask of detected walls against the truth, pixel by pixel, without its don't-care pixels."""
+    check_record("truth", truth, Truth)
     detected = np.asarray(detected, dtype=bool)
     if detected.shape != truth.shape:
         raise ValueError(f"map and truth must have one shape, got {detected.shape} and {truth.shape}")
@@ -93,6 +94,7 @@ def score_walls(walls: Walls, truth: Truth, beta: float = 2.0) -> Score:
     ValueError
         When walls and truth differ in shape.
     """
+    check_record("walls", walls, Walls)
     return score_mask(walls.mask, truth, beta)
 
 
@@ -106,6 +108,8 @@ def score_map(grid_map: GridMap, truth: Truth, threshold: float = DETECTED_WALL,
     ValueError
         When the map lies on another drawing than the truth, or the threshold outside (0, 0.5].
     """
+    check_record("grid_map", grid_map, GridMap)
+    check_record("truth", truth, Truth)
     if grid_map.grid.image_shape != truth.shape:
         raise ValueError(f"map and truth must have one shape, got {grid_map.grid.image_shape} and {truth.shape}")
     return score_mask(grid_map.grid.to_image(grid_map.detected(threshold)), truth, beta, threshold)

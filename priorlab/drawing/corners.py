@@ -53,10 +53,10 @@ def detect_corners(drawing: Drawing, n_corners: int | None = None, method: Metho
     >>> sorted(map(tuple, detect_corners(Drawing(grey)).round(-1).tolist()))
     [(10.0, 10.0), (10.0, 30.0), (30.0, 10.0), (30.0, 30.0)]
     """
+    sheet = prepare(drawing, method)
     n_corners = method.n_corners if n_corners is None else n_corners
     if n_corners < 1:
         raise ValueError(f"n_corners must be at least 1, got {n_corners}")
-    sheet = prepare(drawing, method)
     return sheet.points_to_input(corners_of(sheet, n_corners, method))
 
 

@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_record
 from priorlab.core.drawing import Drawing
 from priorlab.drawing.deskew import Turn, find_skew, then_cut, turn_by
 from priorlab.drawing.method import Method
@@ -32,6 +33,8 @@ def prepare(drawing: Drawing, method: Method) -> Sheet:
     A sheet that was laid askew is turned straight first and loses wide margins (`Method.deskew`); a small one is doubled
     (`Method.upscale_below`).
     """
+    check_record("drawing", drawing, Drawing)
+    check_record("method", method, Method)
     image = drawing.grey if drawing.colour is None else drawing.colour
     turn = straightened(drawing.grey) if method.deskew else None
     if turn is not None:

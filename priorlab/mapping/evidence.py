@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from priorlab.core.checks import check_record
 from priorlab.core.grid import Grid
 from priorlab.core.log_odds import log_odds
 from priorlab.core.progress import Progress
@@ -53,6 +54,8 @@ def gather_evidence(readings: Readings, grid: Grid, progress: Progress | None = 
 
 def check_fit(readings: Readings, grid: Grid) -> None:
     """Say when readings and grid do not belong to one drawing."""
+    check_record("readings", readings, Readings)
+    check_record("grid", grid, Grid)
     if tuple(readings.image_shape) != grid.image_shape:
         raise ValueError(f"readings and grid must have one image shape, got {tuple(readings.image_shape)} and {grid.image_shape}")
     outside = np.flatnonzero(~grid.contains(readings.poses))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_probability
+from priorlab.core.checks import as_float, check_probability, check_record
 from priorlab.core.drawing import Drawing, Walls
 from priorlab.core.grid import Grid
 from priorlab.core.grid_map import GridMap, Prior
@@ -37,6 +37,7 @@ def constant_prior(p_empty: float, grid: Grid) -> GridMap:
     >>> constant_prior(0.8, Grid((2, 3))).p_empty.round(3).tolist()
     [[0.8, 0.8, 0.8], [0.8, 0.8, 0.8]]
     """
+    check_record("grid", grid, Grid)
     prior = Prior(p_empty, p_empty, factor=1.0)
     return GridMap(np.full(grid.shape, log_odds(check_probability("p_empty", p_empty))), grid, prior)
 
@@ -83,14 +84,16 @@ def non_white(
 
 def dark_pixels(drawing: Drawing, dark: int = DARK) -> Walls:
     """The dark pixels of a drawing as if they were its walls, for `build_prior_map` and `Experiment`."""
-    if not 0 <= dark <= 254:
+    check_record("drawing", drawing, Drawing)
+    if not 0 <= as_float("dark", dark) <= 254:
         raise ValueError(f"dark must lie between 0 and 254, got {dark}")
     return _as_walls(drawing.grey <= dark, drawing, "as it is")
 
 
 def non_white_pixels(drawing: Drawing, white: int = WHITE) -> Walls:
     """The pixels of a drawing that are not white as if they were its walls, for `build_prior_map` and `Experiment`."""
-    if not 1 <= white <= 255:
+    check_record("drawing", drawing, Drawing)
+    if not 1 <= as_float("white", white) <= 255:
         raise ValueError(f"white must lie between 1 and 255, got {white}")
     lowest = drawing.grey if drawing.colour is None else drawing.colour.min(axis=2)
     return _as_walls(lowest < white, drawing, "non-white")

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.building import Truth
-from priorlab.core.checks import check_number, check_positive, check_whole
+from priorlab.core.checks import check_number, check_positive, check_record, check_whole
 from priorlab.core.grid import Grid
 from priorlab.core.grid_map import GridMap
 from priorlab.core.log_odds import DETECTED_WALL, detection_limit
@@ -110,6 +110,9 @@ def score_over_time(
     OverruledSensorWarning
         When a prior is so sure that a confirming reading carries no information (eq. 2.22).
     """
+    check_record("readings", readings, Readings, EvidenceOverTime)
+    check_record("prior_maps", prior_maps, Mapping)
+    check_record("truth", truth, Truth)
     grid = _check_priors(prior_maps, truth)
     lam, every = check_number("lam", lam), check_whole("every", every)
     check_positive("beta", beta)
@@ -206,6 +209,8 @@ def _check_priors(prior_maps: Mapping[str, GridMap], truth: Truth) -> Grid:
     """The grid of all maps, or a sentence."""
     if not prior_maps:
         raise ValueError("prior_maps must hold at least one prior map, got none")
+    for name, prior_map in prior_maps.items():
+        check_record(f"prior_maps[{name!r}]", prior_map, GridMap)
     grid = next(iter(prior_maps.values())).grid
     for name, prior_map in prior_maps.items():
         if prior_map.grid != grid:

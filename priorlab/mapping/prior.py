@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from priorlab.core.checks import check_positive
+from priorlab.core.checks import check_positive, check_record
 from priorlab.core.drawing import Walls
 from priorlab.core.grid import Grid
 from priorlab.core.grid_map import GridMap, Prior
@@ -39,7 +39,9 @@ def build_prior_map(
     >>> build_prior_map(walls, Prior(p_wall=0.2, p_space=0.9), cell_size=2).p_empty.round(2).tolist()
     [[0.81, 0.18]]
     """
-    prior = prior or Prior()
+    prior = Prior() if prior is None else prior
+    check_record("walls", walls, Walls)
+    check_record("prior", prior, Prior)
     grid = _grid_over(walls, cell_size, cell_size_m)
     at_wall, at_space = log_odds([prior.effective_p_wall, prior.effective_p_space])
     return GridMap(np.where(grid.any_in_cells(walls.mask), at_wall, at_space), grid, prior)

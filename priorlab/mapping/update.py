@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from priorlab.core.checks import check_number
+from priorlab.core.checks import check_number, check_record
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import Evidence
 from priorlab.mapping.overruled import warn_when_overruled
@@ -46,6 +46,8 @@ def update_map(prior_map: GridMap, evidence: Evidence, lam: float = 1.0) -> Grid
     >>> update_map(prior_map, evidence).p_empty.round(3).tolist()
     [[0.8, 0.9, 0.953]]
     """
+    check_record("prior_map", prior_map, GridMap)
+    check_record("evidence", evidence, Evidence)
     if prior_map.grid != evidence.grid:
         raise ValueError(f"map and evidence must lie on one grid, got {prior_map.grid} and {evidence.grid}")
     lam = check_number("lam", lam)

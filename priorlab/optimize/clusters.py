@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_rng, check_whole
+from priorlab.core.checks import check_record, check_rng, check_whole
 from priorlab.optimize.front import Front
 from priorlab.optimize.plateaus import Plateau, Range
 
@@ -103,7 +103,9 @@ def cluster(front: Front | Sequence[Front], n_clusters: int = 3, *, rng: np.rand
     """
     n_clusters = check_whole("n_clusters", n_clusters)
     rng = check_rng(rng)
-    fronts = [front] if isinstance(front, Front) else list(front)
+    fronts = list(front) if isinstance(front, Iterable) and not isinstance(front, Front) else [front]
+    for one in fronts:
+        check_record("front", one, Front)
     priors = np.concatenate([np.empty((0, 2)), *(one.priors for one in fronts)])
     source = np.repeat(np.arange(len(fronts)), [len(one) for one in fronts])
     different = len(np.unique(priors, axis=0))

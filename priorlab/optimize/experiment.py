@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.building import Truth
-from priorlab.core.checks import check_number, check_positive
+from priorlab.core.checks import check_number, check_positive, check_record
 from priorlab.core.drawing import Walls
 from priorlab.core.grid_map import GridMap, Prior
 from priorlab.core.log_odds import DETECTED_WALL, detection_limit, log_odds
@@ -58,6 +58,8 @@ class Experiment:
     factor: float = 0.9
 
     def __post_init__(self) -> None:
+        for name, kind in (("walls", Walls), ("evidence", Evidence), ("truth", Truth)):
+            check_record(name, getattr(self, name), kind)
         shapes = {"walls": self.walls.shape, "evidence": self.evidence.grid.image_shape, "truth": self.truth.shape}
         if len(set(shapes.values())) > 1:
             told = ", ".join(f"{name} {width} x {height}" for name, (height, width) in shapes.items())

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_rng, check_whole
+from priorlab.core.checks import check_record, check_rng, check_whole
 from priorlab.core.measures import share
 from priorlab.core.progress import Progress
 from priorlab.optimize.experiment import Experiment
@@ -48,6 +48,7 @@ def pareto_front(
     -------
     Front, one prior for each pair of objectives; empty, with a sentence in its note, when none was found.
     """
+    check_record("experiment", experiment, Experiment)
     population, generations = check_whole("population", population, least=2), check_whole("generations", generations)
     floor, rng = check_floor(floor), check_rng(rng)
     sweep = experiment.sweep()
