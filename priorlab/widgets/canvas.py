@@ -33,13 +33,13 @@ class Canvas:
     ) -> None:
         left, top, width, height = window or (0, 0, grey.shape[1], grey.shape[0])
         self.zoom, self.left, self.top, self.size = zoom, left, top, (width, height)
-        cut = np.full((height, width), 255, dtype=np.float32)
-        rows, cols = np.arange(top, top + height), np.arange(left, left + width)
-        rows_in, cols_in = (rows >= 0) & (rows < grey.shape[0]), (cols >= 0) & (cols < grey.shape[1])
-        cut[np.ix_(rows_in, cols_in)] = grey[np.ix_(rows[rows_in], cols[cols_in])]
-        cut = 255 - (1 - faint) * (255 - cut)
-        large = cut.astype(np.uint8).repeat(zoom, axis=0).repeat(zoom, axis=1)
-        self.picture = np.ascontiguousarray(large[..., None].repeat(3, axis=2))
+        cut = np.full((height, width), 255, dtype=np.uint8)
+        rows, cols = slice(max(top, 0), max(top + height, 0)), slice(max(left, 0), max(left + width, 0))
+        inside = grey[rows, cols]
+        below, beside = rows.start - top, cols.start - left
+        paler = 255 - (1 - faint) * (255 - np.arange(256, dtype=np.float32))
+        cut[below : below + inside.shape[0], beside : beside + inside.shape[1]] = paler.astype(np.uint8)[inside]
+        self.picture = np.asarray(cv2.cvtColor(self._large(cut), cv2.COLOR_GRAY2RGB), dtype=np.uint8)
 
     def fill(self, points: ArrayLike, colour: Colour, strength: float = 1.0) -> None:
         """Colour whole pixels, (P, 2) x and y; what lies outside the window is left out."""
@@ -51,17 +51,23 @@ class Canvas:
 
     def tint(self, mask: NDArray[np.bool_], colour: Colour, strength: float = 1.0) -> None:
         """Colour the pixels of a mask as large as the window."""
-        large = mask.repeat(self.zoom, axis=0).repeat(self.zoom, axis=1)
-        self.picture[large] = ((1 - strength) * self.picture[large] + strength * np.array(colour)).astype(np.uint8)
+        rows, cols = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+        if not rows.size:
+            return
+        (top, bottom), (left, right) = (rows[0], rows[-1] + 1), (cols[0], cols[-1] + 1)
+        part = self.picture[top * self.zoom : bottom * self.zoom, left * self.zoom : right * self.zoom]
+        _mix(part, self._large(mask[top:bottom, left:right].astype(np.uint8)) > 0, colour, strength)
 
     def triangle(self, vertices: ArrayLike, colour: Colour, width: int = 2, strength: float = 0.0) -> None:
         """Draw a triangle through three points x, y, and tint its inside."""
         corners = self._at(vertices)
         if strength:
-            inside = np.zeros(self.picture.shape[:2], np.uint8)
-            cv2.fillPoly(inside, [corners], 1)
-            at = inside.astype(bool)
-            self.picture[at] = ((1 - strength) * self.picture[at] + strength * np.array(colour)).astype(np.uint8)
+            (left, top), (right, bottom) = corners.min(axis=0).clip(0).tolist(), (corners.max(axis=0) + 1).clip(0).tolist()
+            part = self.picture[top:bottom, left:right]
+            inside = np.zeros(part.shape[:2], np.uint8)
+            if inside.size:
+                cv2.fillPoly(inside, [corners - [left, top]], 1)
+                _mix(part, inside > 0, colour, strength)
         cv2.polylines(self.picture, [corners], True, colour, width, cv2.LINE_AA)
 
     def line(self, points: ArrayLike, colour: Colour, width: int = 2) -> None:
@@ -85,10 +91,23 @@ class Canvas:
         corner, opposite = (x * self.zoom, y * self.zoom), ((x + 1) * self.zoom - 1, (y + 1) * self.zoom - 1)
         cv2.rectangle(self.picture, corner, opposite, colour, width)
 
+    def _large(self, pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+        """Each pixel `zoom` times as large."""
+        size = (pixels.shape[1] * self.zoom, pixels.shape[0] * self.zoom)
+        return np.asarray(cv2.resize(pixels, size, interpolation=cv2.INTER_NEAREST), dtype=np.uint8)
+
     def _at(self, points: ArrayLike) -> NDArray[np.int32]:
         """Where the centres of pixels lie on the picture."""
         xy = np.asarray(points, dtype=np.float64).reshape(-1, 2) - [self.left, self.top] + 0.5
         return np.rint(xy * self.zoom).astype(np.int32)
+
+
+def _mix(picture: NDArray[np.uint8], mask: NDArray[np.bool_], colour: Colour, strength: float) -> None:
+    """Colour the pixels of a mask in place, wholly or in part."""
+    if strength == 1:
+        picture[mask] = colour
+    else:
+        picture[mask] = ((1 - strength) * picture[mask] + strength * np.array(colour)).astype(np.uint8)
 
 
 def window_round(points: ArrayLike, margin: float) -> tuple[int, int, int, int]:

@@ -39,6 +39,9 @@ MARKED_AT = 0.5
 WITH, WITHOUT = "with the plan", "without"
 PLAY_STEPS, PLAY_MS = 5, 200
 CURVE_EVERY = 5
+WAY_EVERY = 3
+"""A way is drawn through every so-manyth pose: three steps of 5 cm are three pixels."""
+
 MARGIN_M = 0.5
 """Paper that is left round the building."""
 
@@ -51,11 +54,12 @@ ZOOM, HALF_M = 3, 2.7
 
 @dataclass(frozen=True, eq=False)
 class _Recorded:
-    """A run with what its scans said, and F2 over its steps."""
+    """A run with what its scans said, and F2 over its steps; `alone` is that of the plan."""
 
     run: Run
     evidence: EvidenceOverTime
     starts: dict[str, GridMap]
+    alone: float
     curves: OverTime
     errors_m: NDArray[np.float64]
 
@@ -112,7 +116,7 @@ class RunLab(Lab):
         self.evidence = recorded.evidence.at(k)
         self.maps = {name: update_map(start, self.evidence, self.run.parameters.lam) for name, start in recorded.starts.items()}
         self.f2 = {name: score_map(one, self._truth, MARKED_AT).f_beta for name, one in self.maps.items()}
-        self.alone = score_map(self.run.prior_map, self._truth, MARKED_AT).f_beta
+        self.alone = recorded.alone
         self.gain_percent = 100 * (self.f2[WITH] / self.f2[WITHOUT] - 1) if self.f2[WITHOUT] else float("nan")
         self.ate_m = absolute_trajectory_error_m(self.run.trajectory[:k], true_poses(self.run.log)[:k])
         self._show(recorded, k - 1)
@@ -173,8 +177,8 @@ class RunLab(Lab):
 
         floor = FloorCanvas(run.prior_map.grid, grey)
         if self.truth.value:
-            floor.way(truth[: k + 1], TRUE_WAY, 3)
-        floor.way(run.trajectory[: k + 1], ESTIMATE)
+            floor.way(_way_to(truth, k), TRUE_WAY, 3)
+        floor.way(_way_to(run.trajectory, k), ESTIMATE)
         floor.particles(particles)
         floor.robot(pose, ESTIMATE, 0.4)
         words = f"The map {self.shown.value}, white = empty, and the estimated way in blue. {said}"
@@ -240,13 +244,19 @@ def coarse(f2: float) -> str:
     return f"{math.floor(10 * f2 + 1e-9) / 10:.1f}"
 
 
+def _way_to(poses: NDArray[np.float64], k: int) -> NDArray[np.float64]:
+    """Some of the poses up to number k, and it."""
+    return np.vstack([poses[:k:WAY_EVERY], poses[k]])
+
+
 def _look_through(run: Run, truth: Truth) -> _Recorded:
     """What the scans of a run said, with the plan as the start and without."""
     evidence, prior_map = evidence_of_run(run), run.prior_map
     nothing = GridMap(np.zeros(prior_map.grid.shape), prior_map.grid, Prior.uninformed())
     starts = {WITH: prior_map, WITHOUT: nothing}
+    alone = score_map(prior_map, truth, MARKED_AT).f_beta
     curves = score_over_time(evidence, starts, truth, run.parameters.lam, MARKED_AT, every=CURVE_EVERY)
-    return _Recorded(run, evidence, starts, curves, position_errors_m(run.trajectory, true_poses(run.log)))
+    return _Recorded(run, evidence, starts, alone, curves, position_errors_m(run.trajectory, true_poses(run.log)))
 
 
 def _rows_of_building(prior_map: GridMap, truth: Truth) -> slice:
