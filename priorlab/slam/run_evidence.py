@@ -27,7 +27,7 @@ def evidence_of_run(run: Run, parameters: Parameters | None = None) -> EvidenceO
     EvidenceOverTime, a reading per step: `.at(k)` is what the first k scans say, and `score_over_time` takes it as it is
     """
     check_record("run", run, Run)
-    parameters = run.parameters if parameters is None else parameters
+    parameters = parameters or run.parameters
     grid = run.prior_map.grid
     said = np.zeros(3)
     said[FREE], said[OCCUPIED] = log_odds([parameters.p_free, parameters.p_occupied])
