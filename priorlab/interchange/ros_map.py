@@ -78,6 +78,7 @@ class RosMap:
         >>> RosMap(occupancy, Grid((1, 4), 1, 0.05)).to_prior_map(Prior(0.3, 0.8)).p_empty.round(2).tolist()
         [[0.27, 0.72, 0.5, 0.4]]
         """
+        check_record("prior", prior, Prior)
         low, high = sorted((prior.effective_p_wall, prior.effective_p_space))
         return GridMap(log_odds(self.p_empty.clip(low, high)), self.grid, prior)
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.building import Truth
-from priorlab.core.checks import check_probability
+from priorlab.core.checks import check_probability, check_record
 from priorlab.core.grid import Grid
 from priorlab.core.measures import share
 from priorlab.core.readings import Evidence
@@ -87,6 +87,7 @@ class CountedMap:
 
     def score(self, truth: Truth, threshold: float = 0.5, beta: float = 2.0) -> Score:
         """How well the counts show the walls, as `score_map` has it for a map of log odds."""
+        check_record("truth", truth, Truth)
         if self.grid.image_shape != truth.shape:
             raise ValueError(f"map and truth must have one shape, got {self.grid.image_shape} and {truth.shape}")
         return score_mask(self.grid.to_image(self.detected(threshold)), truth, beta, threshold)

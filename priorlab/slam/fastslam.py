@@ -130,6 +130,7 @@ class FastSLAM:
         ValueError
             When the log has no further step.
         """
+        check_record("state", state, State)
         if state.done:
             raise ValueError(f"step must be below the {len(state.log)} scans of the log, got {state.step}")
         parameters, log, k = self.parameters, state.log, state.step

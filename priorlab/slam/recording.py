@@ -163,6 +163,7 @@ class Run:
         The errors are those against `log.truth`, of the run's own log when no other is given.
         """
         log = self.log if log is None else log
+        check_record("log", log, RobotLog)
         words = [f"{len(self)} steps"]
         if self.lost:
             words.insert(0, f"LOST ({self.lost_because})")

@@ -28,6 +28,7 @@ def evidence_of_run(run: Run, parameters: Parameters | None = None) -> EvidenceO
     """
     check_record("run", run, Run)
     parameters = parameters or run.parameters
+    check_record("parameters", parameters, Parameters)
     grid = run.prior_map.grid
     said = np.zeros(3)
     said[FREE], said[OCCUPIED] = log_odds([parameters.p_free, parameters.p_occupied])

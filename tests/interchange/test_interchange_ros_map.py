@@ -127,6 +127,12 @@ def test_read_ros_map_averages_alpha_in_trinary_mode_as_nav2_does(tmp_path):
     assert read_ros_map(tmp_path / "m.yaml").occupancy.tolist() == [[100, 0]]
 
 
+def test_to_prior_map_asks_for_a_prior(tmp_path):
+    path = write_ros_map(tmp_path / "flat.yaml", some_map(P_EMPTY))
+    with pytest.raises(ValueError, match="prior must be a Prior, got float"):
+        read_ros_map(path).to_prior_map(0.3)
+
+
 def test_read_ros_map_finds_the_image_relative_to_the_yaml(tmp_path, monkeypatch):
     (tmp_path / "maps" / "images").mkdir(parents=True)
     cv2.imwrite(str(tmp_path / "maps" / "images" / "m.pgm"), np.array([[0, 254]], np.uint8))

@@ -11,6 +11,7 @@ from priorlab.core.building import World
 from priorlab.robot.drive import true_path
 from priorlab.robot.odometry import report_odometry
 from priorlab.robot.rays import cast_rays
+from priorlab.slam.counting import counted_map
 from priorlab.slam.estimate import estimate_pose
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.localization import choose, predict, weigh
@@ -20,6 +21,7 @@ from priorlab.slam.motion import motion_parts, sample_motion
 from priorlab.slam.parameters import Parameters
 from priorlab.slam.particles import Particles, start_particles
 from priorlab.slam.resampling import resample
+from priorlab.slam.run_evidence import evidence_of_run
 from priorlab.slam.scan import Scan, choose_beams
 from priorlab.slam.trajectory_error import dead_reckoning, relative_pose_error_m
 
@@ -156,6 +158,22 @@ FIELD = LikelihoodField.of(ROOM, Parameters())
 def test_a_thing_of_the_wrong_kind_is_told(call, sentence):
     with pytest.raises(ValueError, match=re.escape(sentence)):
         call()
+
+
+def test_a_run_names_the_record_that_belongs_there():
+    fast_slam = pl.FastSLAM(**FEW)
+    run = fast_slam.run(ROOM, LOG, rng())
+    for call, sentence in (
+        (lambda: run.summary(log=ROOM), "log must be a RobotLog, got GridMap"),
+        (lambda: run.ate_m(ROOM), "log must be a RobotLog, got GridMap"),
+        (lambda: run.remap(WALLS), "prior_map must be a GridMap, got ndarray"),
+        (lambda: evidence_of_run(LOG), "run must be a Run, got RobotLog"),
+        (lambda: evidence_of_run(run, "as before"), "parameters must be a Parameters, got str"),
+        (lambda: counted_map(run).score(WALLS), "truth must be a Truth, got ndarray"),
+        (lambda: fast_slam.step(LOG), "state must be a State, got RobotLog"),
+    ):
+        with pytest.raises(ValueError, match=sentence):
+            call()
 
 
 def test_run_at_takes_whole_steps_only():
