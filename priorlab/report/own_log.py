@@ -13,12 +13,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.core.checks import check_number, check_poses, check_positive
+from priorlab.core.checks import check_not_negative, check_number, check_poses, check_positive
 from priorlab.core.drawing import Walls
 from priorlab.core.files import new_folder
 from priorlab.core.grid_map import GridMap
 from priorlab.core.pose import compose, relative
 from priorlab.core.readings import RobotLog
+from priorlab.core.sensor import MOST_ALPHA
 from priorlab.drawing.extraction import extract_walls
 from priorlab.interchange.carmen import read_carmen
 from priorlab.interchange.images import read_drawing
@@ -90,11 +91,12 @@ def read_own_log(
     well the robot kept track, but not whether the start was right: so they are not taken for the truth when it is asked whether
     the robot got lost.
     """
-    if check_number("wheel_noise", wheel_noise) < 0:
-        raise ValueError(f"wheel_noise must not be negative, got {wheel_noise:g}")
+    check_not_negative("wheel_noise", wheel_noise, MOST_ALPHA)
+    if np.abs(check_poses("start", [start])).max() > FARTHEST_M:
+        raise ValueError(f"start must lie within {FARTHEST_M:g} m, got x {start[0]:g}, y {start[1]:g} m")
     prior_map, origin = _read_prior_map(Path(map_path), metres_per_pixel)
     log = read_carmen(log_path)
-    here = relative(np.asarray(origin), check_poses("start", [start])[0])
+    here = relative(np.asarray(origin), np.asarray(start))
     _check_on_map(prior_map, here, start, origin)
     corrected = None if log.truth is None else compose(here, relative(log.truth[0], log.truth))
     off_m, off_turn = (check_number("start_error", value) for value in start_error)
