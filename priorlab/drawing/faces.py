@@ -35,9 +35,6 @@ BESIDE_GAPS = 0.25
 MOST_HAIR = 5
 """Lines of this many pixels and more may be walls by themselves."""
 
-HATCHED = (0.12, 0.50)
-"""Share of ink between the faces of a hatched wall."""
-
 
 def thin_cells(ink: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.int32]:
     """Number the white areas, enclosed by ink, that are nowhere wider than a wall; 0 elsewhere.
@@ -84,26 +81,6 @@ def walls_between(
     lone = apart.sum() <= PAIRED * strokes.sum()  # no partners: what lies between is windows and closets
     is_solid = bool(solid.any() and (lone or solid.sum() >= SOLID_SHARE * hollow.sum()))
     return (solid if is_solid else hollow), is_solid
-
-
-def hatch_bands(faces: NDArray[np.bool_], ink: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
-    """Bands between long strokes of any weight that are filled with hatching: 12 to 50 % ink."""
-    length, thickness = sizes.face_length, sizes.thickness
-    bands = np.zeros_like(faces)
-    for axis in (0, 1):
-        face = long_runs(ink, length, axis)
-        gap = long_runs(gaps_between(face, thickness, 1 - axis), length, axis)
-        inked = cv2.blur((ink & gap).astype(np.float32), _window(length, axis))
-        area = np.maximum(cv2.blur(gap.astype(np.float32), _window(length, axis)), 1e-6)
-        share = inked / area
-        bands |= gap & (share >= HATCHED[0]) & (share <= HATCHED[1])
-    solid = bands | faces
-    return tidy(solid, sizes) & (bands | grow_near(bands, ink))
-
-
-def grow_near(seeds: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Ink within three pixels of the seeds."""
-    return ink & cv2.dilate(seeds.astype(np.uint8), np.ones((7, 7), np.uint8)).astype(bool)
 
 
 def covered_cells(walls: NDArray[np.bool_], cells: NDArray[np.int32]) -> NDArray[np.bool_]:
@@ -155,9 +132,3 @@ def tidy(walls: NDArray[np.bool_], sizes: WallSizes, hair: int = 3) -> NDArray[n
     closed = cv2.morphologyEx(walls.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((5, 5), np.uint8))
     clean = opened(closed.astype(bool), min(max(hair, 3), MOST_HAIR))
     return large_components(clean, sizes.piece_length)
-
-
-def _window(length: float, axis: int) -> tuple[int, int]:
-    """Window (width, height) as long as a face along its axis and narrow across."""
-    along = int(length) | 1
-    return (along, 5) if axis == 1 else (5, along)

@@ -213,7 +213,7 @@ def _belonging(
         slender = (long[window] >= SLENDER * thin[window])[part].mean()
         if slender < 0.6 or inside[window][part].mean() < INSIDE or close[window][part].mean() > ALONGSIDE:
             continue
-        jambs = _jambs_at(part, (left, top), doors)
+        jambs = jambs_at(part, (left, top), doors)
         thick = float(np.median(thin[window][part])) if heavy > 0 else 0.0
         if not (thick >= heavy > 0 or jambs or trusted):
             continue
@@ -237,7 +237,7 @@ def _line_thickness(ink: NDArray[np.bool_]) -> float:
     return float(thickness[np.searchsorted(length, length[-1] / 2)])
 
 
-def _jambs_at(part: NDArray[np.bool_], corner: tuple[int, int], doors: Sequence[Door]) -> int:
+def jambs_at(part: NDArray[np.bool_], corner: tuple[int, int], doors: Sequence[Door]) -> int:
     """How many jambs of doors stand at a piece, whose window has its upper left corner there."""
     if not doors:
         return 0

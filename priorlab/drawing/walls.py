@@ -13,6 +13,7 @@ from priorlab.core.drawing import EMPTY, WALL, WINDOW, Door, Drawing, Walls
 from priorlab.drawing.corners import corners_of
 from priorlab.drawing.door_ink import door_ink
 from priorlab.drawing.faces import thin_cells, without_lone_bars
+from priorlab.drawing.filled_walls import with_filled
 from priorlab.drawing.joined import between_ends, of_network, with_edges, with_heavy_ink, with_others, without_thin_outside
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import outer_walls
@@ -24,13 +25,13 @@ from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
 from priorlab.drawing.wall_sizes import WallSizes, wall_sizes
 from priorlab.drawing.weight import (
+    HATCHED,
     IN_COLOUR,
     STRAIGHT_CELLS,
     Hypothesis,
     judged,
     of_hue,
     weight_hypotheses,
-    with_hatching,
 )
 from priorlab.drawing.window_search import find_windows
 from priorlab.drawing.windows import window_bridges, window_panes
@@ -44,6 +45,9 @@ FEWEST_FOR_A_SCALE = 3
 
 DRAWN_SOLID = 0.8
 """Walls of which so much is ink are drawn solid, with windows between them."""
+
+HATCHING_COVERS = 0.5
+"""Hatching is taken when it makes up so much of the best hypothesis, or is worth so much of it."""
 
 SOLID_COVERS = 0.5
 """Solid walls are preferred when they make up so much of the best hypothesis."""
@@ -131,10 +135,11 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         hypotheses = (judged("doors", guided, sizes), *weight_hypotheses(sheet, ink & ~symbols, outlines, sizes))
         worths = worths_of(hypotheses, scaled, symbols)
         best = choose(hypotheses, worths)
-        if best.name != "doors":
-            best = with_hatching(best, ink & ~symbols, sizes)
         joined = best.walls
-        if best.solid or _share(joined, ink) >= DRAWN_SOLID:
+        drawn_solid = best.solid or _share(joined, ink) >= DRAWN_SOLID
+        if best.name == HATCHED:
+            joined = with_filled(joined, best.weight, ink & ~symbols, scaled, sizes)
+        elif drawn_solid:
             joined = with_heavy_ink(with_others(best, hypotheses, worths, sizes, scaled, outlines), outlines)
             joined = without_thin_outside(joined)
             joined = with_edges(joined, ink) if best.solid else joined
@@ -209,6 +214,10 @@ def choose(hypotheses: Sequence[Hypothesis], worths: Sequence[float]) -> Hypothe
     if best.weight:
         least = NEARLY_SOLID if best.solid else NEARLY
         best = max((h for h, worth in pairs if worth >= least * most and h.solid >= best.solid), key=lambda h: h.weight)
+    hatched, worth = next(((h, w) for h, w in pairs if h.name == HATCHED), (best, 0.0))
+    covers = (hatched.walls & best.walls).sum() >= HATCHING_COVERS * best.walls.sum()
+    if hatched.walls.any() and (covers or worth >= HATCHING_COVERS * most):
+        return hatched
     solid = [
         (h, w)
         for h, w in pairs

@@ -12,7 +12,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from priorlab.drawing.faces import hatch_bands, long_runs, thin_cells, tidy, walls_between
+from priorlab.drawing.faces import long_runs, thin_cells, tidy, walls_between
+from priorlab.drawing.hatching import hatched_walls
 from priorlab.drawing.long_cells import long_cells
 from priorlab.drawing.preprocessing import NO_HUE
 from priorlab.drawing.runs import gap_ends, run_lengths
@@ -29,9 +30,6 @@ HEAVIER = (8, 11)
 SUBPIXEL_WEIGHTS = (1.5, 2.0, 2.5)
 """Weights of lines too thin for whole pixels to tell apart."""
 
-HATCH_SHARE = 0.15
-"""Hatch bands are used when they make up so much of the result."""
-
 IN_COLOUR = 0.5
 """Trust in line weights where hues tell the parts of a drawing apart."""
 
@@ -46,6 +44,9 @@ END_WALL = 0.6
 
 SLENDER = 6.0
 """A wall is longer than so many of its thicknesses; furniture is not."""
+
+HATCHED = "hatching"
+"""Name of the hypothesis that takes what is hatched."""
 
 STRAIGHT_CELLS = "long cells of straight lines"
 """Name of the hypothesis that takes what lies between straight lines of any weight."""
@@ -113,6 +114,8 @@ def weight_hypotheses(
     loose, *strict = long_cells(outlines, sizes)
     narrow = {"long cells": loose.walls(), STRAIGHT_CELLS: np.logical_or.reduce([c.walls() for c in strict])}
     found += [judged(name, tidy(walls, sizes), sizes, False, trust) for name, walls in narrow.items()]
+    hatched, face = hatched_walls(outlines, cells, sizes)
+    found.append(judged(HATCHED, hatched, sizes, weight=face))
     for hue in hues:
         coloured = ink & of_hue(sheet.hue, hue)
         walls, solid = walls_between(coloured, coloured, cells, sizes)
@@ -120,18 +123,6 @@ def weight_hypotheses(
         walls = of_own_hue(walls, coloured, outlines & (sheet.hue != NO_HUE) & ~of_hue(sheet.hue, hue), sizes)
         found.append(replace(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, sizes, solid), hue=hue))
     return tuple(found)
-
-
-def with_hatching(best: Hypothesis, ink: NDArray[np.bool_], sizes: WallSizes) -> Hypothesis:
-    """The hypothesis and the hatched bands beside it, when there are enough of them; solid or coloured walls need none."""
-    if best.solid or best.name.startswith("hue"):
-        return best
-    bands = hatch_bands(best.walls, ink, sizes)
-    both = best.walls | bands
-    if (bands & ~best.walls).sum() < HATCH_SHARE * max(int(both.sum()), 1):
-        return best
-    hatched = judged(f"{best.name}, hatched", both, sizes)
-    return hatched if hatched.quality >= best.quality else best
 
 
 def centre_line(walls: NDArray[np.bool_], sizes: WallSizes) -> tuple[float, float]:
