@@ -225,7 +225,7 @@ def _localize(arguments: argparse.Namespace) -> int:
     check_place(arguments.out, arguments.force, keep=[arguments.log, arguments.map])
     import math
 
-    from priorlab.report.own_log import WHEEL_NOISE, drive_own_log, numbers_of_run, read_own_log, write_own_log
+    from priorlab.report.own_log import WHEEL_NOISE, advice, drive_own_log, numbers_of_run, read_own_log, write_own_log
     from priorlab.slam.parameters import TUNED
 
     tell = _Clock()
@@ -235,6 +235,8 @@ def _localize(arguments: argparse.Namespace) -> int:
     temper = TUNED.temper if arguments.temper is None else arguments.temper
     start, off = (x, y, math.radians(degrees)), (arguments.start_error[0], math.radians(arguments.start_error[1]))
     own = read_own_log(arguments.log, arguments.map, start, arguments.metres_per_pixel, arguments.max_range, noise, off, temper)
+    if sentence := advice(own):
+        print(f"  {sentence}")
     out = Path(arguments.out)
     out.absolute().parent.mkdir(parents=True, exist_ok=True)
     part = out.with_name(f"{out.name}.part")

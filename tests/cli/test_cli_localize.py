@@ -20,7 +20,7 @@ from priorlab.core.sensor import Scanner
 from priorlab.interchange.carmen_writing import write_carmen
 from priorlab.interchange.ros_map import read_ros_map, write_ros_map
 from priorlab.interchange.trajectories import read_tum
-from priorlab.report.own_log import drive_own_log, read_own_log
+from priorlab.report.own_log import advice, drive_own_log, read_own_log
 from priorlab.robot.drive import drive
 from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.run_file import load_run
@@ -277,6 +277,17 @@ def test_localize_goes_on_with_the_seed_of_its_drive(place, begun, tmp_path, see
     own = read_own_log(folder / "blind.log", folder / "plan.png", START, 0.05, max_range_m=6.0)
     whole = FastSLAM(own.parameters).run(own.prior_map, own.log, np.random.default_rng(3))
     np.testing.assert_array_equal(load_run(out / "run.npz").trajectory, whole.trajectory)
+
+
+@pytest.mark.parametrize(("every", "temper", "told"), [(1, 0.05, False), (8, 0.05, True), (8, 0.2, False)])
+def test_localize_advises_when_scans_lie_far_apart(place, tmp_path, every, temper, told):
+    """The robot of this log makes steps of 0.15 m."""
+    folder, log = place
+    few = RobotLog(log.odometry[::every], log.ranges[::every], log.bearings, log.scanner, log.start)
+    own = read_own_log(write_carmen(tmp_path / "few.log", few), folder / "plan.png", START, 0.05, temper=temper)
+    sentence = advice(own)
+    assert (sentence is not None) == told
+    assert not told or ("m apart (median)" in sentence and "--temper 0.2" in sentence)
 
 
 def test_localize_points_from_the_image_of_a_ros_map_to_its_yaml(place, tmp_path, capsys):
