@@ -95,10 +95,9 @@ class PairLab(Lab):
         """The sliders and the pair, as coarsely as a filter's chance allows."""
         worth = self.worth
         return (
-            f"p_wall {self.p_wall.value:.2f}, p_space {self.p_space.value:.2f}, lam {self.lam.value:.2f}, "
-            f"thickening {self.thickening_m.value:.2f} m, threshold {self.threshold.value:.2f}: F2 at least "
-            f"{coarse(worth.informed.f_beta)} with the plan, {coarse(worth.uninformed.f_beta)} without, "
-            f"{coarse(worth.alone.f_beta)} the plan alone"
+            f"p_wall {self.p_wall.value:g}, p_space {self.p_space.value:g}, lam {self.lam.value:g}, "
+            f"{self.thickening_m.value:g} m thick, at {self.threshold.value:g}: F2 >= {coarse(worth.informed.f_beta)} with, "
+            f"{coarse(worth.uninformed.f_beta)} without, {coarse(worth.alone.f_beta)} plan alone"
         )
 
     def _counted(self, grid_map: GridMap, threshold: float) -> NDArray[np.uint8]:

@@ -45,9 +45,6 @@ WAY_EVERY = 3
 MARGIN_M = 0.5
 """Paper that is left round the building."""
 
-NARROW = "display:inline-block;max-width:17em;white-space:normal"
-"""A sentence in the readout."""
-
 ZOOM, HALF_M = 3, 2.7
 """The window round the robot: screen pixels per cell, and half its side."""
 
@@ -85,7 +82,9 @@ class RunLab(Lab):
         self._rows = _rows_of_building(first.prior_map, truth)
         last = len(first)
         self.step = Slider("step", last, 1, last, 1, "how many steps of algorithm 6.1 have been made")
-        self.play = ipywidgets.Play(value=last, min=1, max=last, step=PLAY_STEPS, interval=PLAY_MS, description="play")
+        self.play = ipywidgets.Play(
+            value=last, min=1, max=last, step=PLAY_STEPS, interval=PLAY_MS, show_repeat=False, tooltip="play"
+        )
         self.back, self.on = (
             ipywidgets.Button(description=words, tooltip=words, layout=ipywidgets.Layout(width="auto"))
             for words in ("one step back", "one step on")
@@ -137,10 +136,10 @@ class RunLab(Lab):
 
     def summary(self) -> str:
         """The step and the numbers that matter, as coarsely as a filter's chance allows."""
-        off = "LOST" if self.run.lost else f"ATE at most {math.ceil(self.ate_m / 0.25) * 0.25:.2f} m"
+        off = "LOST" if self.run.lost else f"ATE <= {math.ceil(self.ate_m / 0.25) * 0.25:.2f} m"
         return (
-            f"{self.which.value}, step {self.step.value:.0f} of {len(self.run)}: {off}, F2 at least {coarse(self.f2[WITH])} "
-            f"with the plan, {coarse(self.f2[WITHOUT])} without, {coarse(self.alone)} the plan alone"
+            f"{self.which.value}, step {self.step.value:.0f} of {len(self.run)}: {off}, "
+            f"F2 >= {coarse(self.f2[WITH])} with, {coarse(self.f2[WITHOUT])} without, {coarse(self.alone)} plan alone"
         )
 
     # --- controls ------------------------------------------------------------------------------------------------
@@ -205,7 +204,7 @@ class RunLab(Lab):
         share = run.explained[k]
         told = "fewer than 10 beams" if np.isnan(share) else f"{100 * share:.0f} %"
         gain = "LOST: means nothing" if run.lost else f"{self.gain_percent:+.0f} %"
-        whole = f"<span style='{NARROW}'>LOST: {run.lost_because}</span>" if run.lost else "never lost"
+        whole = f"LOST: {run.lost_because}" if run.lost else "never lost"
         return [
             ("step", f"{k + 1} of {len(run)}"),
             ("particles N", f"{n}, ESS {ess:.0f} ({100 * ess / n:.0f} %)"),

@@ -69,12 +69,13 @@ export default { render };
 """
 
 _CSS = """
-.priorlab-screen { display: flex; flex-flow: row wrap; align-items: flex-start; gap: 4px; }
-.priorlab-picture { max-width: 100%; height: auto; background: #fff; border: 1px solid #888; }
+.priorlab-screen { display: flex; flex-flow: row wrap; align-items: flex-start; gap: 4px; min-width: 0; max-width: 100%; }
+.priorlab-picture { box-sizing: border-box; max-width: 100%; height: auto; background: #fff; border: 1px solid #888; }
 .priorlab-picture svg { display: block; max-width: 100%; height: auto; }
-.priorlab-readout { margin: 0 1em; }
+.priorlab-readout { flex: 1 1 24em; min-width: 0; margin: 0 0.6em; }  /* beside or below, whatever the numbers' length */
 .priorlab-readout table { border-spacing: 0; }
 .priorlab-readout td { padding: 1px 12px 1px 0; line-height: 1.35; text-align: left; vertical-align: top; }
+.priorlab-readout td:first-child { white-space: nowrap; }
 .priorlab-readout td + td { font-variant-numeric: tabular-nums; }
 """
 

@@ -49,7 +49,7 @@ export default { render };
 """
 
 _CSS = """
-.priorlab-slider { display: grid; grid-template-columns: 9.5em 12em 3.2em; gap: 0.6em; align-items: center; margin: 2px 0; }
+.priorlab-slider { display: grid; grid-template-columns: 10.5em 11.5em 3.2em; gap: 0.6em; align-items: center; margin: 2px 0; }
 .priorlab-slider label { text-align: right; }
 .priorlab-slider output { font-variant-numeric: tabular-nums; }
 .priorlab-slider input:focus-visible { outline: 2px solid #0072b2; outline-offset: 2px; }

@@ -133,7 +133,7 @@ def test_run_lab_map_without_the_plan_is_grey_where_nobody_looked(lab):
 def test_run_lab_says_that_a_robot_is_lost_and_no_gain(run, rooms):
     far = replace(run, trajectory=run.trajectory + [2.0, 0.0, 0.0])
     lab = RunLab({"lost": far}, rooms[1])
-    assert "LOST, F2 at least" in repr(lab) and "LOST: means nothing" in lab.readout.value
+    assert "LOST, F2 >= " in repr(lab) and "LOST: means nothing" in lab.readout.value
     assert not re.search(r"[+-]\d+ %", lab.readout.value)
 
 
