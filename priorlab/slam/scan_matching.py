@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from priorlab.core.checks import check_poses, check_positive
+from priorlab.core.checks import check_poses, check_positive, check_record
 from priorlab.core.pose import wrap_angle
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.match_refinement import climb, information
@@ -142,7 +142,9 @@ def match_scan(scan: Scan, field: LikelihoodField, guess: ArrayLike, window: Win
     >>> match_scan(scan, corner, guess=[1.8, 2.1, 0.0])
     Match(x 2.00 m, y 2.00 m, 0.0 degrees)
     """
-    window = window or Window()
+    window = Window() if window is None else window
+    for name, value, kind in (("scan", scan, Scan), ("field", field, LikelihoodField), ("window", window, Window)):
+        check_record(name, value, kind)
     start = check_poses("guess", np.atleast_2d(guess))[0]
     points, cell_m = scan.points, field.grid.cell_size_m
     spacing = np.array([cell_m, cell_m, window.turn_step])

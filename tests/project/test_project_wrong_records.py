@@ -45,7 +45,6 @@ VALUES = {
     "corners": np.empty((0, 2)), "doors": (), "pose": [5, 5, 0], "tour": [(0.5, 0.5), (1, 0.5)], "survey": [[5, 5, 0]],
     "prior_maps": {"plan": PRIOR_MAP}, "p_empty": 0.5, "image": [[0]],
 }  # fmt: skip
-OPEN = {"match_scan"}  # still raises what it stumbles over
 
 
 def kinds_of(annotation):
@@ -58,7 +57,7 @@ def asked():
     """(name of the function, name of the argument, the records it may be)."""
     for name in pl.__all__:
         function = getattr(pl, name)
-        if inspect.isfunction(function) and name not in OPEN:
+        if inspect.isfunction(function):
             for argument, annotation in typing.get_type_hints(function).items():
                 if argument != "return" and (kinds := kinds_of(annotation)):
                     yield pytest.param(function, argument, kinds, id=f"{name}-{argument}")
