@@ -14,6 +14,8 @@ import pytest
 import priorlab as pl
 from priorlab.core.building import World
 from priorlab.robot.relief import Relief
+from priorlab.slam.likelihood_field import LikelihoodField
+from priorlab.slam.scan import Scan
 
 BARE = np.zeros((12, 16), dtype=bool)
 GRID = pl.Grid(BARE.shape)
@@ -40,10 +42,12 @@ RECORDS = {
     pl.Front: pl.Front(*np.full((4, 1), 0.5)),
     pl.FastSLAM: pl.FastSLAM(),
     Relief: Relief(BARE * 2.4, 0.1),
+    Scan: Scan([0.5], [0.0], []),
+    LikelihoodField: LikelihoodField.of(PRIOR_MAP),
 }
 VALUES = {
     "corners": np.empty((0, 2)), "doors": (), "pose": [5, 5, 0], "tour": [(0.5, 0.5), (1, 0.5)], "survey": [[5, 5, 0]],
-    "prior_maps": {"plan": PRIOR_MAP}, "p_empty": 0.5, "image": [[0]],
+    "prior_maps": {"plan": PRIOR_MAP}, "p_empty": 0.5, "image": [[0]], "guess": [0.5, 0.5, 0],
 }  # fmt: skip
 
 
