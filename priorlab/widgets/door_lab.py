@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.building import Truth
 from priorlab.core.drawing import Drawing
+from priorlab.drawing.candidates import DoorSearch
 from priorlab.drawing.corners import corners_of
 from priorlab.drawing.doors import search_doors
 from priorlab.drawing.method import THESIS, Method
@@ -65,6 +67,7 @@ class DoorLab(Lab):
         self._drawing, self._truth = drawing, truth
         self._zoom = max(1, -(-width // drawing.shape[1]))
         self._sheet = prepare(drawing, THESIS)
+        self._search_by = lru_cache(maxsize=64)(self._search)  # a slider goes back and forth
         start = AS_PRINTED
         self.n_corners = Slider("corners", start["n_corners"], 10, 200, 10, "the budget: the strongest so many (fig. 3.9)")
         self.ratio = Slider("side ratio above", start["ratio"], 0.5, 0.98, 0.02, "shorter over longer of two sides (eq. 3.5)")
@@ -82,10 +85,9 @@ class DoorLab(Lab):
     def refresh(self) -> None:
         """Corners, search, two pictures."""
         self.method = self._method()
-        corners = self._sheet.points_to_input(corners_of(self._sheet, self.method.n_corners, self.method))
-        self.search = search_doors(self._sheet, corners, self.method)
+        self.search = self._search_by(self.method)
         self.doors = self.search.doors
-        self.funnel = {"corners": len(corners), **self.search.funnel}
+        self.funnel = {"corners": len(self.search.corners), **self.search.funnel}
         pairs = matched_doors(self.doors, self._truth.doors)
         self.right = len(pairs)
         self.pictures[0].show(self._paint({found for found, _ in pairs}, {true for _, true in pairs}), self._alt())
@@ -103,6 +105,11 @@ class DoorLab(Lab):
             ),
         ]
         self.readout.value = table(rows)
+
+    def _search(self, method: Method) -> DoorSearch:
+        """Corners, and the search among them."""
+        corners = self._sheet.points_to_input(corners_of(self._sheet, method.n_corners, method))
+        return search_doors(self._sheet, corners, method)
 
     def summary(self) -> str:
         """Doors and the funnel."""

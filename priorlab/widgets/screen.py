@@ -15,6 +15,7 @@ function render({ model, el }) {
   el.classList.add("priorlab-screen");
   const places = model.get("widths").map(width => ({ width, bytes: null, alt: null, box: null }));
   const readout = document.createElement("div");
+  let said = "";
   readout.className = "priorlab-readout";
   readout.setAttribute("role", "status");  // new numbers are announced politely
   el.append(readout);
@@ -51,14 +52,15 @@ function render({ model, el }) {
       fresh.map(({ bytes }) => (isSvg(bytes) ? null : createImageBitmap(new Blob([bytes], { type: "image/png" }))))
     );
     fresh.forEach(({ place, bytes }, i) => {
-      if (place.bytes === bytes) paint(place, bytes, bitmaps[i]);  // unless a newer one came while this was decoded
+      if (place.bytes === bytes) paint(place, bytes, bitmaps[i]);
+      else bitmaps[i]?.close();  // a newer one came while this was decoded
     });
     places.forEach((place, i) => {
       const alt = model.get("alt_" + i);
       if (place.box && alt !== place.alt) place.box.setAttribute("aria-label", (place.alt = alt));
     });
     const words = model.get("readout");
-    if (words !== readout.shown) readout.innerHTML = readout.shown = words;
+    if (words !== said) readout.innerHTML = said = words;
     el.dispatchEvent(new Event("priorlab-shown"));
   };
   model.on("change", show);
@@ -70,7 +72,7 @@ export default { render };
 
 _CSS = """
 .priorlab-screen { display: flex; flex-flow: row wrap; align-items: flex-start; gap: 4px; min-width: 0; max-width: 100%; }
-.priorlab-picture { box-sizing: border-box; max-width: 100%; height: auto; background: #fff; border: 1px solid #888; }
+.priorlab-picture { max-width: calc(100% - 2px); height: auto; background: #fff; border: 1px solid #888; }
 .priorlab-picture svg { display: block; max-width: 100%; height: auto; }
 .priorlab-readout { flex: 1 1 24em; min-width: 0; margin: 0 0.6em; }  /* beside or below, whatever the numbers' length */
 .priorlab-readout table { border-spacing: 0; }
