@@ -65,7 +65,9 @@ class PairLab(Lab):
         self.thickening_m = Slider("thickening, m", 0.1, 0, THICKEST_M, STEP_M, "how far behind a hit the wall is drawn")
         self.threshold = Slider("threshold", 0.5, 0.05, 0.5, 0.05, "at or below this P(empty) a cell counts as wall")
         names = ("p_wall", "p_space", "lam", "thickening_m", "threshold")
-        self._pixels, self._small = _shown_pixels(truth)
+        (rows, cols), self._small = _shown_pixels(truth)
+        self._cells = np.ix_(self._grid.row_of_pixel[rows], self._grid.col_of_pixel[cols])
+        self._without = {one: _without_plan(said) for one, said in self._evidence.items()}
         self._drawn: tuple[float, float] | None = None  # thickening and threshold of the picture without a plan
         pictures = [Picture(), Picture()]
         super().__init__({name: getattr(self, name) for name in names}, PRESETS, pictures)
@@ -73,10 +75,10 @@ class PairLab(Lab):
     def refresh(self) -> None:
         """The two maps, their scores, and what the robot added."""
         lam, self.prior = round(self.lam.value, 6), Prior(self.p_wall.value, self.p_space.value)
-        self.evidence = self._evidence[round(self.thickening_m.value, 6)]
+        thickening_m = round(self.thickening_m.value, 6)
+        self.evidence, self.without = self._evidence[thickening_m], self._without[thickening_m]
         start = build_prior_map(self._walls, self.prior, cell_size=self._grid.cell_size)
-        nothing = GridMap(np.zeros(self._grid.shape), self._grid, Prior.uninformed())
-        self.map, self.without = (_updated(one, self.evidence, lam) for one in (start, nothing))
+        self.map = _updated(start, self.evidence, lam)
         threshold = round(self.threshold.value, 6)
         self.worth = worth_of(start, self.evidence, self._truth, lam, threshold)
         maps = {"with": self.map, "without": self.without, "alone": start}
@@ -84,7 +86,7 @@ class PairLab(Lab):
 
         words = f"With the plan. {LEGEND}. F2 {self.worth.informed.f_beta:.3f}. {self.summary()}"
         self.pictures[0].show(self._counted(self.map, threshold), words)
-        if self._drawn != (here := (self.thickening_m.value, threshold)):  # no other slider changes it
+        if self._drawn != (here := (thickening_m, threshold)):  # no other slider changes it
             words = f"Without a plan, same poses and scans. {LEGEND}. F2 {self.worth.uninformed.f_beta:.3f}"
             self.pictures[1].show(self._counted(self.without, threshold), words)
             self._drawn = here
@@ -102,9 +104,7 @@ class PairLab(Lab):
 
     def _counted(self, grid_map: GridMap, threshold: float) -> NDArray[np.uint8]:
         """A map as the score counts it."""
-        rows, cols = self._pixels
-        cells = np.ix_(self._grid.row_of_pixel[rows], self._grid.col_of_pixel[cols])
-        return scored_image(grid_map.detected(threshold)[cells], self._small)
+        return scored_image(grid_map.detected(threshold)[self._cells], self._small)
 
     def _numbers(self) -> list[tuple[str, str]]:
         """The readout: never a gain without the way's error, what was seen, and the plan alone."""
@@ -141,6 +141,11 @@ def _shown_pixels(truth: Truth) -> tuple[tuple[NDArray[np.int64], NDArray[np.int
 def _evidence_of(run: Run, thickening_m: float) -> Evidence:
     """What the scans of a run said, had the walls been drawn so thick."""
     return evidence_of_run(run, replace(run.parameters, thickening_m=thickening_m)).at(len(run))
+
+
+def _without_plan(evidence: Evidence) -> GridMap:
+    """The map that starts at 0.5: whatever lam is, it takes nothing off."""
+    return update_map(GridMap(np.zeros(evidence.grid.shape), evidence.grid, Prior.uninformed()), evidence)
 
 
 def _updated(start: GridMap, evidence: Evidence, lam: float) -> GridMap:

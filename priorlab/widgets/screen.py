@@ -29,6 +29,10 @@ function render({ model, el }) {
     el.insertBefore(box, next ? next.box : readout);
     return box;
   };
+  const fitting = new ResizeObserver(seen => {  // sharp when large, whole when small
+    for (const { target, contentRect } of seen)
+      target.style.imageRendering = target.width > contentRect.width + 0.5 ? "auto" : "pixelated";
+  });
   const paint = (place, bytes, bitmap) => {
     place.box ??= boxOf(place, !bitmap);
     if (!bitmap) {
@@ -38,10 +42,12 @@ function render({ model, el }) {
     }
     const canvas = place.box;
     const sized = canvas.width === bitmap.width && canvas.height === bitmap.height;
-    if (!sized) [canvas.width, canvas.height] = [bitmap.width, bitmap.height];
+    if (!sized) {
+      [canvas.width, canvas.height] = [bitmap.width, bitmap.height];
+      fitting.unobserve(canvas);
+      fitting.observe(canvas);
+    }
     canvas.getContext("bitmaprenderer").transferFromImageBitmap(bitmap);
-    // sharp when large, whole when small
-    if (!sized) canvas.style.imageRendering = canvas.width > canvas.clientWidth ? "auto" : "pixelated";
   };
   const show = async () => {
     const fresh = places
@@ -65,7 +71,10 @@ function render({ model, el }) {
   };
   model.on("change", show);
   show();
-  return () => model.off("change", show);
+  return () => {
+    model.off("change", show);
+    fitting.disconnect();
+  };
 }
 export default { render };
 """
