@@ -23,6 +23,7 @@ from priorlab.drawing.runs import run_lengths
 from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
+from priorlab.drawing.wall_bodies import BODIES, hollow_walls
 from priorlab.drawing.wall_sizes import WallSizes, wall_sizes
 from priorlab.drawing.weight import (
     HATCHED,
@@ -39,6 +40,9 @@ from priorlab.drawing.windows import window_bridges, window_panes
 DOORS_ALONE = 0.3
 """Weight of the walls grown from doors alone beside those of line weight: they know no insides and follow any line."""
 
+
+HOLLOW = 0.5
+"""Walls are drawn hollow when bodies that end at jambs and go on in line make up so much of the best other hypothesis."""
 
 FEWEST_FOR_A_SCALE = 3
 """Doors that are needed to tell how thick a wall can be."""
@@ -133,8 +137,12 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         sizes = wall_sizes(sheet.long_side, width)
         outlines = large_components(sheet.walls, OUTLINES * sheet.long_side)
         hypotheses = (judged("doors", guided, sizes), *weight_hypotheses(sheet, ink & ~symbols, outlines, sizes))
+        bodies = hollow_walls(outlines, scaled, sizes)
         worths = worths_of(hypotheses, scaled, symbols)
         best = choose(hypotheses, worths)
+        if best.hue is None and _share(best.walls, bodies.walls) >= HOLLOW:
+            best = bodies
+        hypotheses, worths = (*hypotheses, bodies), [*worths, *worths_of([bodies], scaled, symbols)]
         joined = best.walls
         drawn_solid = best.solid or _share(joined, ink) >= DRAWN_SOLID
         if best.name == HATCHED:
@@ -148,7 +156,8 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         longest = method.bridge_widths * float(np.median([door.width for door in scaled]))
         walls = walls | (window_bridges(walls, sheet.lines, longest) & ~symbols)
     if method.sources == "both":
-        walls = walls & ~window_panes(thin_cells(outlines, sizes), sizes)
+        if best is not bodies:
+            walls = walls & ~window_panes(thin_cells(outlines, sizes), sizes)
         walls = of_network(without_lone_bars(walls, wall_sizes(sheet.long_side)), scaled, sizes)
         glass = windows_of(sheet, walls, best, sizes)
         walls = walls | (between_ends(glass, walls) & ink & ~symbols)  # not what stands along the wall beside it
