@@ -23,7 +23,7 @@ from priorlab.drawing.runs import run_lengths
 from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
-from priorlab.drawing.wall_bodies import BODIES, hollow_walls
+from priorlab.drawing.wall_bodies import hollow_walls
 from priorlab.drawing.wall_sizes import WallSizes, wall_sizes
 from priorlab.drawing.weight import (
     HATCHED,
