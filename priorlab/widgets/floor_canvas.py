@@ -103,11 +103,10 @@ class FloorCanvas(Canvas):
     def _dots(self, at: NDArray[np.int32], colour: Colour, radius: int = 1) -> None:
         """Squares of 2 radius + 1 screen pixels, all at once."""
         height, width = self.picture.shape[:2]
-        for dy in range(-radius, radius + 1):
-            for dx in range(-radius, radius + 1):
-                x, y = at[:, 0] + dx, at[:, 1] + dy
-                inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
-                self.picture[y[inside], x[inside]] = colour
+        offsets = np.mgrid[-radius : radius + 1, -radius : radius + 1].reshape(2, -1).T
+        x, y = (at[:, None] + offsets).reshape(-1, 2).T
+        inside = (x >= 0) & (x < width) & (y >= 0) & (y < height)
+        self.picture[y[inside], x[inside]] = colour
 
 
 def _shares(weights: NDArray[np.float64]) -> NDArray[np.float64]:
