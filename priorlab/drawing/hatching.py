@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -43,9 +45,9 @@ def hatched_walls(ink: NDArray[np.bool_], cells: NDArray[np.int32], sizes: WallS
     for family in families:
         for axis, mine in enumerate(along):
             mine |= _chained(shapes, family, small, pairs[axis], axis)
-    for _ in range(ROUNDS):
-        along = [mine | _next_cells(shapes, families, mine, pairs[axis], axis) for axis, mine in enumerate(along)]
     chosen = along[0] | along[1]
+    for _ in range(ROUNDS):
+        chosen |= _next_cells(shapes, families, chosen, pairs)
     for family in families:
         chosen |= small & family.narrow(shapes) & _amid(shapes, family, chosen, np.vstack(pairs))
     chosen[0] = False
@@ -62,27 +64,40 @@ def _chained(
     slants = small & family.slanting(shapes, axis)
     flat = shapes.high[1 - axis] - shapes.low[1 - axis] + 1 < FLAT
     one, other = pairs.T
-    row = flat[one] & flat[other] & _between_same(shapes, one, other, axis) & _between_same(shapes, other, one, axis)
-    chain = pairs[((slants[one] & slants[other]) | row) & family.neighbours(shapes, pairs)]
+    inner, outer = _between_same(shapes, one, other, axis), _between_same(shapes, other, one, axis)
+    near = family.neighbours(shapes, pairs)
     found = np.zeros_like(small)
-    found[chain.ravel()] = True
+    found[pairs[near & slants[one] & slants[other] & (inner | outer)].ravel()] = True
+    row = pairs[near & flat[one] & flat[other] & inner & outer]
+    in_row = np.bincount(row.ravel(), minlength=len(small)) >= 2
+    found[row[in_row[row].any(axis=1)].ravel()] = True  # three at least
     narrow = family.narrow(shapes)
     for a, b in (pairs.T, pairs[:, ::-1].T):
-        end = slants[a] & narrow[a] & narrow[b] & _between_same(shapes, a, b, axis) & _follows(shapes, family, pairs)
+        end = slants[a] & narrow[a] & narrow[b] & _between_same(shapes, a, b, axis) & (np.abs(family.steps(shapes, pairs)) <= NEXT[1])
         found[a[end]] = True
     return found
 
 
 def _next_cells(
-    shapes: CellShapes, families: tuple[HatchFamily, ...], mine: NDArray[np.bool_], pairs: NDArray[np.int64], axis: int
+    shapes: CellShapes, families: tuple[HatchFamily, ...], chosen: NDArray[np.bool_], pairs: Sequence[NDArray[np.int64]]
 ) -> NDArray[np.bool_]:
-    """Cells of any shape at the ends of chains: between the same faces as the one beyond the stroke, and as narrow."""
-    found = np.zeros_like(mine)
+    """Cells of any shape beyond a stroke, as narrow as the chosen ones: at the ends of chains and where walls meet.
+
+    What lies there is no face but a stroke when the next cell lies between the same faces, or when lines of pixels along both axes
+    lead across it from cell to cell.
+    """
+    found = np.zeros_like(chosen)
+    either, often = np.unique(np.vstack(pairs), axis=0, return_counts=True)
+    slanted = either[often == 2]
     for family in families:
-        narrow, follows = family.narrow(shapes), _follows(shapes, family, pairs)
-        for one, other in (pairs.T, pairs[:, ::-1].T):
-            fits = mine[one] & ~mine[other] & follows & narrow[other] & _between_same(shapes, one, other, axis)
-            found[other[fits]] = True
+        narrow = family.narrow(shapes)
+        for axis, some in ((None, slanted), *enumerate(pairs)):
+            steps = np.abs(family.steps(shapes, some))
+            follows = (steps >= NEXT[0]) & (steps <= NEXT[1])
+            for one, other in (some.T, some[:, ::-1].T):
+                fits = chosen[one] & narrow[other] & follows
+                fits &= axis is None or _between_same(shapes, one, other, axis)
+                found[other[fits]] = True
     return found
 
 
@@ -101,12 +116,6 @@ def _between_same(shapes: CellShapes, one: NDArray[np.int64], other: NDArray[np.
     """Where the other cell lies between the faces of the one."""
     low, high = shapes.low[1 - axis], shapes.high[1 - axis]
     return np.asarray((low[other] >= low[one] - 1) & (high[other] <= high[one] + 1))
-
-
-def _follows(shapes: CellShapes, family: HatchFamily, pairs: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Pairs of which one may be the end of a chain."""
-    steps = np.abs(family.steps(shapes, pairs))
-    return (steps >= NEXT[0]) & (steps <= NEXT[1])
 
 
 def _filled(ink: NDArray[np.bool_], cells: NDArray[np.int32], chosen: NDArray[np.bool_], face: int) -> NDArray[np.bool_]:

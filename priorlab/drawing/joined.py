@@ -110,12 +110,16 @@ def between_ends(windows: NDArray[np.bool_], walls: NDArray[np.bool_]) -> NDArra
     return kept
 
 
-def of_network(walls: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes) -> NDArray[np.bool_]:
+def of_network(
+    walls: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes, ink: NDArray[np.bool_] | None = None
+) -> NDArray[np.bool_]:
     """Walls that hang together, across doors and windows, without small pieces that stand alone: furniture.
 
-    A piece stays when it holds `ALONE` of all walls, or when a door's jamb stands at it.
+    A piece stays when it holds `ALONE` of all walls, or when a door's jamb stands at it. Where ink is given, it must lead from
+    piece to piece, as the lines of a window do; else any gap as long as an opening will do.
     """
-    whole = cv2.dilate(with_openings(walls, sizes).astype(np.uint8), np.ones((5, 5), np.uint8))
+    joined = with_openings(walls, sizes) if ink is None else walls | ink
+    whole = cv2.dilate(joined.astype(np.uint8), np.ones((5, 5), np.uint8)) if ink is None else joined.astype(np.uint8)
     for door in doors:
         start, end = (tuple(round(c) for c in jamb) for jamb in (door.hinge, door.strike))
         cv2.line(whole, start, end, 1, max(3, round(2 * AT_JAMB * door.width)))

@@ -151,14 +151,18 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
             joined = with_heavy_ink(with_others(best, hypotheses, worths, sizes, scaled, outlines), outlines)
             joined = without_thin_outside(joined)
             joined = with_edges(joined, ink) if best.solid else joined
-        chosen, walls = best.name, joined & ~(symbols & ~guided)
+        chosen = best.name
+        walls = joined if chosen == HATCHED else joined & ~(symbols & ~guided)  # no leaf or arc is hatched
     if method.bridge_widths and scaled and walls.any():
         longest = method.bridge_widths * float(np.median([door.width for door in scaled]))
         walls = walls | (window_bridges(walls, sheet.lines, longest) & ~symbols)
     if method.sources == "both":
         if best is not bodies:
             walls = walls & ~window_panes(thin_cells(outlines, sizes), sizes)
-        walls = of_network(without_lone_bars(walls, wall_sizes(sheet.long_side)), scaled, sizes)
+        if chosen == HATCHED:
+            walls = of_network(walls, scaled, sizes, outlines)
+        else:
+            walls = of_network(without_lone_bars(walls, wall_sizes(sheet.long_side)), scaled, sizes)
         glass = windows_of(sheet, walls, best, sizes)
         walls = walls | (between_ends(glass, walls) & ink & ~symbols)  # not what stands along the wall beside it
     found = sheet.to_input(walls)
