@@ -60,6 +60,9 @@ SOLID_COVERS = 0.5
 OUTLINES = 0.02
 """Components shorter than this share of M bound no inside of a wall."""
 
+HALF = 0.45
+"""Of a pixel that a line covers half, so much of full darkness is left at least."""
+
 NEAR_JAMB = 0.15
 """A jamb stands on a wall that is within so many door widths of it."""
 
@@ -147,6 +150,7 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         drawn_solid = best.solid or _share(joined, ink) >= DRAWN_SOLID
         if best.name == HATCHED:
             joined = with_filled(joined, best.weight, ink & ~symbols, scaled, sizes)
+            joined = with_edges(joined, half_covered(sheet.darkness, ink))
         elif drawn_solid:
             joined = with_heavy_ink(with_others(best, hypotheses, worths, sizes, scaled, outlines), outlines)
             joined = without_thin_outside(joined)
@@ -262,6 +266,11 @@ def windows_of(sheet: Sheet, walls: NDArray[np.bool_], best: Hypothesis, sizes: 
     if best.hue is None:
         return find_windows(walls, sheet.walls, sizes, best.weight)
     return find_windows(walls, sheet.walls & ~of_hue(sheet.hue, best.hue), sizes, np.inf, fewest=3)
+
+
+def half_covered(darkness: NDArray[np.uint8], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Pixels about half as dark as full ink: half of them, or more, is covered by a line."""
+    return darkness >= (HALF * np.percentile(darkness[ink], 98) if ink.any() else 255)
 
 
 def as_walls(drawing: Drawing, mask: NDArray[np.bool_], windows: NDArray[np.bool_] | None = None) -> Walls:
