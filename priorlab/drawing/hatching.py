@@ -73,7 +73,13 @@ def _chained(
     found[row[in_row[row].any(axis=1)].ravel()] = True  # three at least
     narrow = family.narrow(shapes)
     for a, b in (pairs.T, pairs[:, ::-1].T):
-        end = slants[a] & narrow[a] & narrow[b] & _between_same(shapes, a, b, axis) & (np.abs(family.steps(shapes, pairs)) <= NEXT[1])
+        end = (
+            slants[a]
+            & narrow[a]
+            & narrow[b]
+            & _between_same(shapes, a, b, axis)
+            & (np.abs(family.steps(shapes, pairs)) <= NEXT[1])
+        )
         found[a[end]] = True
     return found
 
@@ -83,8 +89,8 @@ def _next_cells(
 ) -> NDArray[np.bool_]:
     """Cells of any shape beyond a stroke, as narrow as the chosen ones: at the ends of chains and where walls meet.
 
-    What lies there is no face but a stroke when the next cell lies between the same faces, or when lines of pixels along both axes
-    lead across it from cell to cell.
+    What lies there is no face but a stroke when the next cell lies between the same faces, or when lines of pixels along both
+    axes lead across it from cell to cell.
     """
     found = np.zeros_like(chosen)
     either, often = np.unique(np.vstack(pairs), axis=0, return_counts=True)
