@@ -61,9 +61,10 @@ def hollow_walls(ink: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes
     """
     cells = thin_cells(ink, sizes)
     walls = wall_bodies(cells, ink, doors, sizes)[cells]
-    rim = ink & _widened(walls, 1)
-    if rim.any():
-        walls = walls | (ink & _widened(walls, round(float(np.median(thinner_run(ink)[rim]))) + 1))
+    rim = ink & _widened(walls)
+    weight = round(float(np.median(thinner_run(ink)[rim]))) if rim.any() else 0
+    for _ in range(weight + 1):  # step by step, or lines of furniture beside it were taken as well
+        walls = walls | (ink & _widened(walls))
     return replace(judged(BODIES, with_openings(walls, sizes), sizes), walls=walls)
 
 
@@ -175,6 +176,6 @@ def _share_of(arms: Sequence[Arms], area: NDArray[np.int64], known: NDArray[np.f
     return covered / np.maximum(area, 1)
 
 
-def _widened(mask: NDArray[np.bool_], reach: int) -> NDArray[np.bool_]:
-    """The mask and everything within so many pixels of it along both axes."""
-    return np.asarray(cv2.dilate(mask.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)), dtype=bool)
+def _widened(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """The mask and the pixels round it."""
+    return np.asarray(cv2.dilate(mask.astype(np.uint8), np.ones((3, 3), np.uint8)), dtype=bool)
