@@ -1,4 +1,8 @@
-"""Filled walls on a drawing whose other walls are hatched: strokes of ink thicker than faces, from one wall to another."""
+"""Drawings on which some walls are filled and others are hatched: each finds the others.
+
+Filled walls among hatched ones are strokes of ink thicker than faces, from one wall to another. Hatched walls among filled ones
+are those round the building; hatched furniture is nowhere as large.
+"""
 
 from __future__ import annotations
 
@@ -22,6 +26,9 @@ CONTACTS = 2
 
 ROUNDS = 3
 """So many filled walls may hang on each other."""
+
+ROUND = 0.8
+"""Walls round a building are so much as wide and as high as all walls are."""
 
 REACH = 3
 """Pixels from a wall to one that it meets."""
@@ -63,3 +70,20 @@ def with_filled(
                 found[window] |= part
                 left.remove(k)
     return found
+
+
+def hatched_round(hatched: NDArray[np.bool_], walls: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """The hatched walls that hang together by ink round all others; nothing where none do.
+
+    >>> walls, hatched = np.zeros((2, 40, 60), dtype=bool); hatched[5:35, 5:55] = True; hatched[9:31, 9:51] = False
+    >>> walls[20:22, 9:51] = True; ink = hatched | walls
+    >>> int((hatched_round(hatched, walls, ink) ^ hatched).sum()), bool(hatched_round(hatched[::-1] & walls, walls, ink).any())
+    (0, False)
+    """
+    if not hatched.any():
+        return hatched
+    n_nets, nets = cv2.connectedComponents((hatched | ink).astype(np.uint8), connectivity=8)
+    largest = int(np.bincount(nets[hatched], minlength=n_nets).argmax())
+    found = hatched & (nets == largest)
+    size, all_walls = (cv2.boundingRect(mask.astype(np.uint8))[2:] for mask in (found, found | walls))
+    return found if all(np.greater_equal(size, np.multiply(ROUND, all_walls))) else np.zeros_like(found)

@@ -13,7 +13,7 @@ from priorlab.core.drawing import EMPTY, WALL, WINDOW, Door, Drawing, Walls
 from priorlab.drawing.corners import corners_of
 from priorlab.drawing.door_ink import door_ink
 from priorlab.drawing.faces import thin_cells, without_lone_bars
-from priorlab.drawing.filled_walls import with_filled
+from priorlab.drawing.filled_walls import hatched_round, with_filled
 from priorlab.drawing.joined import between_ends, of_network, with_edges, with_heavy_ink, with_others, without_thin_outside
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import outer_walls
@@ -156,6 +156,9 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
             joined = without_thin_outside(joined)
             joined = with_edges(joined, ink) if best.solid else joined
         chosen = best.name
+        if drawn_solid and chosen != HATCHED:
+            hatched = next((h.walls for h in hypotheses if h.name == HATCHED), np.zeros_like(joined))
+            joined = joined | hatched_round(hatched & ~symbols, joined, outlines)
         walls = joined if chosen == HATCHED else joined & ~(symbols & ~guided)  # no leaf or arc is hatched
     if method.bridge_widths and scaled and walls.any():
         longest = method.bridge_widths * float(np.median([door.width for door in scaled]))

@@ -9,9 +9,13 @@ from hypothesis.extra import numpy as arrays
 
 from priorlab.drawing.cell_shapes import across_strokes, cell_shapes
 from priorlab.drawing.faces import thin_cells
+from priorlab.drawing.filled_walls import with_filled
 from priorlab.drawing.hatch_families import hatch_families
 from priorlab.drawing.hatching import hatched_walls
+from priorlab.drawing.joined import of_network
 from priorlab.drawing.wall_sizes import WallSizes
+from priorlab.drawing.walls import choose
+from priorlab.drawing.weight import HATCHED, Hypothesis
 
 SIZES = WallSizes(300, 24.0)
 
@@ -156,3 +160,37 @@ def test_across_strokes_equals_a_walk_along_every_line(sheet, reach, axis):
             if line[i] and 1 <= gap <= reach and stop < len(line) and line[stop] and line[stop] != line[i]:
                 walked.append([line[i], line[stop], gap])
     assert across_strokes(cells, ink, reach, axis).tolist() == walked
+
+
+def test_of_network_asks_for_ink_between_pieces():
+    walls = np.zeros((200, 300), dtype=bool)
+    walls[20:30, 20:280] = True
+    walls[60:66, 100:106] = walls[60:66, 200:206] = True  # one of them hangs on a line
+    ink = np.zeros_like(walls)
+    ink[30:60, 203] = True
+    kept = of_network(walls, (), SIZES, ink)
+    assert not kept[60:66, 100:106].any()
+    assert np.array_equal(kept[:, 150:], walls[:, 150:])
+
+
+def test_with_filled_takes_no_leaf_and_no_stove():
+    walls = np.zeros((160, 300), dtype=bool)
+    walls[20:34, 20:280] = walls[126:140, 20:280] = True
+    ink = np.zeros_like(walls)
+    ink[34:126, 90:95] = True  # a partition
+    ink[34:90, 150:155] = True  # a thick leaf
+    ink[100:126, 200:230] = True  # a stove
+    ink[34:126, 250:252] = True  # a line as thick as a face
+    assert np.array_equal(with_filled(walls, 2, ink, (), SIZES) & ~walls, ink & (np.arange(300) < 100))
+
+
+def test_choose_takes_hatching_that_makes_up_the_best():
+    best, hatched = (np.zeros((50, 100), dtype=bool) for _ in range(2))
+    best[10:40] = True
+    hatched[10:30] = True
+    both = (Hypothesis("lines", best, 1.0, weight=2.0), Hypothesis(HATCHED, hatched, 0.1))
+    assert choose(both, (1.0, 0.1)).name == HATCHED
+    assert choose(both[::-1], (0.1, 1.0)).name == HATCHED
+    hatched[15:30] = False  # a cupboard
+    assert choose(both, (1.0, 0.1)).name == "lines"
+    assert choose(both, (1.0, 0.6)).name == HATCHED
