@@ -74,7 +74,7 @@ def walls_between(
         apart |= long_runs(gaps_between(face, thickness, 1 - axis), length, axis)
         face = grow_along(face, long_runs(ink, length, axis), axis)
         between |= face | long_runs(gaps_between(face, thickness, 1 - axis), length, axis)
-    solid = tidy(strokes, sizes)
+    solid = tidy(strokes, sizes, within=ink)
     whole = between | covered_cells(between, cells)
     hair = face_width + 1  # a face without a partner is a line, not a wall
     hollow = tidy(fill_corners(whole, whole & ~ink, thickness), sizes, hair)
@@ -127,8 +127,11 @@ def without_lone_bars(walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.
     return walls & ~drop[labels]
 
 
-def tidy(walls: NDArray[np.bool_], sizes: WallSizes, hair: int = 3) -> NDArray[np.bool_]:
-    """Close cracks of a few pixels, open away what is thinner than `hair`, drop pieces shorter than the shortest."""
-    closed = cv2.morphologyEx(walls.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((5, 5), np.uint8))
-    clean = opened(closed.astype(bool), min(max(hair, 3), MOST_HAIR))
+def tidy(walls: NDArray[np.bool_], sizes: WallSizes, hair: int = 3, within: NDArray[np.bool_] | None = None) -> NDArray[np.bool_]:
+    """Close cracks of a few pixels, open away what is thinner than `hair`, drop pieces shorter than the shortest.
+
+    Solid walls are closed `within` ink only: a table's edge stays apart from the wall behind it.
+    """
+    closed = cv2.morphologyEx(walls.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((5, 5), np.uint8)).astype(bool)
+    clean = opened(closed if within is None else walls | (closed & within), min(max(hair, 3), MOST_HAIR))
     return large_components(clean, sizes.piece_length)

@@ -46,9 +46,6 @@ WIDE = 0.3
 EDGE = 2
 """Ragged edges of solid walls, pixels."""
 
-ALONE = 0.05
-"""A piece of the building that stands alone holds so much of all walls."""
-
 INSIDE = 0.8
 """So much of an added piece lies inside the building."""
 
@@ -108,28 +105,6 @@ def between_ends(windows: NDArray[np.bool_], walls: NDArray[np.bool_]) -> NDArra
             ended[k, labels[rim]] = near[rim]
         kept |= windows & (ended[0] & ended[1])[labels]
     return kept
-
-
-def of_network(
-    walls: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes, ink: NDArray[np.bool_] | None = None
-) -> NDArray[np.bool_]:
-    """Walls that hang together, across doors and windows, without small pieces that stand alone: furniture.
-
-    A piece stays when it holds `ALONE` of all walls, or when a door's jamb stands at it. Where ink is given, it must lead from
-    piece to piece, as the lines of a window do; else any gap as long as an opening will do.
-    """
-    joined = with_openings(walls, sizes) if ink is None else walls | ink
-    whole = cv2.dilate(joined.astype(np.uint8), np.ones((5, 5), np.uint8)) if ink is None else joined.astype(np.uint8)
-    for door in doors:
-        start, end = (tuple(round(c) for c in jamb) for jamb in (door.hinge, door.strike))
-        cv2.line(whole, start, end, 1, max(3, round(2 * AT_JAMB * door.width)))
-    n_nets, nets = cv2.connectedComponents(whole, connectivity=8)
-    area = np.bincount(nets[walls], minlength=n_nets)
-    keep = area >= ALONE * area.sum()
-    for door in doors:
-        for x, y in np.rint([door.hinge, door.strike]).astype(int):
-            keep[nets[np.clip(y, 0, len(nets) - 1), np.clip(x, 0, nets.shape[1] - 1)]] = True
-    return walls & keep[nets]
 
 
 def without_thin_outside(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:

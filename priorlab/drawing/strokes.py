@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.drawing.runs import grow_along, label_runs, run_lengths
+from priorlab.drawing.valleys import valleys
 
 FAINTEST = 25
 """Darkness below this does not belong to a line."""
@@ -40,7 +41,7 @@ def line_weights(darkness: NDArray[np.uint8], ink: NDArray[np.bool_]) -> NDArray
     if not ink.any():
         return np.zeros(ink.shape)
     full = float(np.percentile(darkness[ink], 98))
-    touched = darkness > FAINTEST
+    touched = (darkness > FAINTEST) & ~valleys(darkness)
     sums = []
     for axis in (0, 1):
         labels = label_runs(touched, axis)

@@ -14,8 +14,9 @@ from priorlab.drawing.corners import corners_of
 from priorlab.drawing.door_ink import door_ink
 from priorlab.drawing.faces import thin_cells, without_lone_bars
 from priorlab.drawing.filled_walls import hatched_round, with_filled
-from priorlab.drawing.joined import between_ends, of_network, with_edges, with_heavy_ink, with_others, without_thin_outside
+from priorlab.drawing.joined import between_ends, with_edges, with_heavy_ink, with_others, without_thin_outside
 from priorlab.drawing.method import ROBUST, Method
+from priorlab.drawing.network import of_network, without_blocks
 from priorlab.drawing.outer_walls import outer_walls
 from priorlab.drawing.pieces import WallPiece, wall_pieces
 from priorlab.drawing.preprocessing import large_components, prepare
@@ -23,6 +24,7 @@ from priorlab.drawing.runs import run_lengths
 from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
+from priorlab.drawing.valleys import narrow_gaps, valleys
 from priorlab.drawing.wall_bodies import hollow_walls
 from priorlab.drawing.wall_sizes import WallSizes, wall_sizes
 from priorlab.drawing.weight import (
@@ -124,6 +126,9 @@ def detect_walls(drawing: Drawing, doors: Sequence[Door], method: Method = ROBUS
 def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float64], method: Method = ROBUST) -> WallSearch:
     """`detect_walls`, with everything it saw. `corners` are in working pixels, `doors` in the drawing's own."""
     scaled = sheet.doors_to_work(doors)
+    drawn = sheet.walls
+    if method.sources == "both":
+        sheet = replace(sheet, walls=drawn & ~valleys(sheet.darkness))
     large = method.component_share > 0
     ink = large_components(sheet.walls, method.component_share * sheet.long_side) if large else sheet.walls
     outer = outer_walls(ink, corners, method.outer_tolerance)
@@ -138,7 +143,7 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
     else:
         width = float(np.median([door.width for door in scaled])) if len(scaled) >= FEWEST_FOR_A_SCALE else None
         sizes = wall_sizes(sheet.long_side, width)
-        outlines = large_components(sheet.walls, OUTLINES * sheet.long_side)
+        outlines = large_components(drawn, OUTLINES * sheet.long_side)
         hypotheses = (judged("doors", guided, sizes), *weight_hypotheses(sheet, ink & ~symbols, outlines, sizes))
         bodies = hollow_walls(outlines, scaled, sizes)
         worths = worths_of(hypotheses, scaled, symbols)
@@ -152,7 +157,8 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
             joined = with_filled(joined, best.weight, ink & ~symbols, scaled, sizes)
             joined = with_edges(joined, half_covered(sheet.darkness, ink))
         elif drawn_solid:
-            joined = with_heavy_ink(with_others(best, hypotheses, worths, sizes, scaled, outlines), outlines)
+            parted = outlines & sheet.walls
+            joined = with_heavy_ink(with_others(best, hypotheses, worths, sizes, scaled, parted), parted)
             joined = without_thin_outside(joined)
             joined = with_edges(joined, ink) if best.solid else joined
         chosen = best.name
@@ -170,8 +176,10 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
             walls = of_network(walls, scaled, sizes, outlines)
         else:
             walls = of_network(without_lone_bars(walls, wall_sizes(sheet.long_side)), scaled, sizes)
-        glass = windows_of(sheet, walls, best, sizes)
-        walls = walls | (between_ends(glass, walls) & ink & ~symbols)  # not what stands along the wall beside it
+        walls = without_blocks(walls, sheet.walls, scaled)
+        walls = walls | (narrow_gaps(walls) & drawn & ~sheet.walls)
+        glass = windows_of(replace(sheet, walls=drawn), walls, best, sizes)
+        walls = walls | (between_ends(glass, walls) & drawn & ~symbols)  # not what stands along the wall beside it
     found = sheet.to_input(walls)
     windows = None if glass is None else sheet.to_input(glass)
     as_input = tuple(replace(h, walls=sheet.to_input(h.walls)) for h in hypotheses)

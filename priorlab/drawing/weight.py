@@ -109,7 +109,7 @@ def weight_hypotheses(
         block = opened(ink, side)
         if not block.any():
             break
-        strokes = tidy(long_runs(block, sizes.face_length, 0) | long_runs(block, sizes.face_length, 1), sizes)
+        strokes = tidy(long_runs(block, sizes.face_length, 0) | long_runs(block, sizes.face_length, 1), sizes, within=ink)
         found.append(judged(f"solid strokes of at least {side} px", strokes, sizes, True, trust, side))
     loose, *strict = long_cells(outlines, sizes)
     narrow = {"long cells": loose.walls(), STRAIGHT_CELLS: np.logical_or.reduce([c.walls() for c in strict])}

@@ -7,7 +7,8 @@ import pytest
 
 from priorlab.core.drawing import Door
 from priorlab.drawing.faces import thin_cells, walls_between
-from priorlab.drawing.joined import of_network, with_others
+from priorlab.drawing.joined import with_others
+from priorlab.drawing.network import of_network
 from priorlab.drawing.runs import gap_ends
 from priorlab.drawing.symbol import Symbols, ink_beside
 from priorlab.drawing.wall_sizes import WallSizes

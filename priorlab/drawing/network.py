@@ -1,0 +1,102 @@
+"""What belongs to the building: its walls hang together across doors and windows, and hold the doors.
+
+A frame goes round the building and has no door; neither have title blocks and scale bars beside it. A stove or a column is a
+block that no other ink touches; a pier has a window's lines or a door at it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from priorlab.core.drawing import Door
+from priorlab.drawing.deskew import turn_by
+from priorlab.drawing.strokes import common_thickness
+from priorlab.drawing.wall_sizes import WallSizes
+from priorlab.drawing.weight import with_openings
+from priorlab.drawing.window_search import wing_angles
+
+ALONE = 0.05
+"""A piece of the building that stands alone holds so much of all walls."""
+
+DOORLESS = 0.3
+"""Where another piece holds the doors, one without any stays when it is so large beside it and does not surround it."""
+
+AT_JAMB = 0.15
+"""A jamb stands at a piece within so many door widths."""
+
+BLOCK = 3.0
+"""A block is at most so many wall thicknesses long."""
+
+FREE = 0.9
+"""So much of the ink that hangs together with a block, at least, is the block itself."""
+
+
+def of_network(
+    walls: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes, ink: NDArray[np.bool_] | None = None
+) -> NDArray[np.bool_]:
+    """Walls that hang together, across doors and windows: no frame, no title block, no furniture that stands alone.
+
+    A piece stays when a door's jamb stands at it. Another one stays when it holds `ALONE` of all walls and, where a piece with
+    doors is there, `DOORLESS` of that one and does not go round it. Where ink is given, it must lead from piece to piece, as the
+    lines of a window do; else any gap as long as an opening will do.
+    """
+    if ink is None:
+        whole = cv2.dilate(walled_up(walls, sizes).astype(np.uint8), np.ones((5, 5), np.uint8))
+    else:
+        whole = (walls | ink).astype(np.uint8)
+    for door in doors:
+        start, end = (tuple(round(c) for c in jamb) for jamb in (door.hinge, door.strike))
+        cv2.line(whole, start, end, 1, max(3, round(2 * AT_JAMB * door.width)))
+    n_nets, nets, boxes, _ = cv2.connectedComponentsWithStats(whole, connectivity=8)
+    area = np.bincount(nets[walls], minlength=n_nets)
+    held = np.zeros(n_nets, dtype=bool)
+    for door in doors:
+        for x, y in np.rint([door.hinge, door.strike]).astype(int):
+            held[nets[np.clip(y, 0, len(nets) - 1), np.clip(x, 0, nets.shape[1] - 1)]] = True
+    held[0] = False
+    keep = area >= ALONE * area.sum()
+    main = int(np.argmax(np.where(held, area, 0)))
+    if held[main] and area[main] >= DOORLESS * area.max():  # else a false door may hang on a cupboard
+        keep &= (area >= DOORLESS * area[main]) & ~_round_it(np.asarray(boxes, dtype=np.int32), main)
+    return walls & (keep | held)[nets]
+
+
+def walled_up(walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
+    """Walls with their openings closed, along the axes and along the walls of wings."""
+    whole = with_openings(walls, sizes)
+    for angle in wing_angles(walls):
+        turn = turn_by(-angle, walls.shape)
+        turned = turn.image(255 * (1 - walls.astype(np.uint8))) < 128
+        whole |= turn.mask_back(with_openings(turned, sizes))
+    return whole
+
+
+def without_blocks(walls: NDArray[np.bool_], ink: NDArray[np.bool_], doors: Sequence[Door]) -> NDArray[np.bool_]:
+    """Walls without compact blocks that no other ink touches and no door stands at.
+
+    >>> walls = np.zeros((40, 60), dtype=bool); walls[5:11, 5:55] = True; walls[25:33, 20:30] = True
+    >>> line = walls.copy(); line[29, 30:55] = True
+    >>> without_blocks(walls, walls, ())[28, 25], without_blocks(walls, line, ())[28, 25]
+    (np.False_, np.True_)
+    """
+    n_parts, parts, stats, _ = cv2.connectedComponentsWithStats((walls | ink).astype(np.uint8), connectivity=8)
+    own = np.bincount(parts[walls], minlength=n_parts)
+    longest = stats[:, cv2.CC_STAT_WIDTH : cv2.CC_STAT_HEIGHT + 1].max(axis=1)
+    block = (longest <= BLOCK * common_thickness(walls)) & (own >= FREE * stats[:, cv2.CC_STAT_AREA])
+    block[0] = False
+    for door in doors:
+        reach = max(3, round(AT_JAMB * door.width))
+        for x, y in np.rint([door.hinge, door.strike]).astype(int):
+            block[np.unique(parts[max(y - reach, 0) : y + reach + 1, max(x - reach, 0) : x + reach + 1])] = False
+    return walls & ~block[parts]
+
+
+def _round_it(boxes: NDArray[np.int32], main: int) -> NDArray[np.bool_]:
+    """Which pieces' boxes go round that of the main one."""
+    left, top = boxes[:, cv2.CC_STAT_LEFT], boxes[:, cv2.CC_STAT_TOP]
+    right, bottom = left + boxes[:, cv2.CC_STAT_WIDTH], top + boxes[:, cv2.CC_STAT_HEIGHT]
+    return (left < left[main]) & (top < top[main]) & (right > right[main]) & (bottom > bottom[main])
