@@ -13,8 +13,8 @@ from priorlab.drawing.filled_walls import with_filled
 from priorlab.drawing.hatch_families import hatch_families
 from priorlab.drawing.hatching import hatched_walls
 from priorlab.drawing.joined import of_network
+from priorlab.drawing.wall_choice import choose
 from priorlab.drawing.wall_sizes import WallSizes
-from priorlab.drawing.walls import choose
 from priorlab.drawing.weight import HATCHED, Hypothesis
 
 SIZES = WallSizes(300, 24.0)

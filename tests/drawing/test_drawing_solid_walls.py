@@ -11,8 +11,8 @@ from priorlab.drawing.joined import with_others
 from priorlab.drawing.network import of_network
 from priorlab.drawing.runs import gap_ends
 from priorlab.drawing.symbol import Symbols, ink_beside
+from priorlab.drawing.wall_choice import choose, door_agreement
 from priorlab.drawing.wall_sizes import WallSizes
-from priorlab.drawing.walls import choose, door_agreement
 from priorlab.drawing.weight import Hypothesis, evenness, judged, with_openings
 
 SIZES = WallSizes(400, 12.0)

@@ -10,8 +10,9 @@ from priorlab.drawing.joined import inside_of, with_heavy_ink, without_thin_outs
 from priorlab.drawing.long_cells import long_cells
 from priorlab.drawing.method import THESIS
 from priorlab.drawing.pieces import wall_pieces
+from priorlab.drawing.wall_choice import choose
 from priorlab.drawing.wall_sizes import WallSizes
-from priorlab.drawing.walls import choose, detect_walls
+from priorlab.drawing.walls import detect_walls
 from priorlab.drawing.weight import Hypothesis, of_own_hue, slenderness
 from priorlab.drawing.windows import window_bridges, window_panes
 
