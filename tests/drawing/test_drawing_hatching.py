@@ -12,7 +12,7 @@ from priorlab.drawing.faces import thin_cells
 from priorlab.drawing.filled_walls import with_filled
 from priorlab.drawing.hatch_families import hatch_families
 from priorlab.drawing.hatching import hatched_walls
-from priorlab.drawing.joined import of_network
+from priorlab.drawing.network import of_network
 from priorlab.drawing.wall_choice import choose
 from priorlab.drawing.wall_sizes import WallSizes
 from priorlab.drawing.weight import HATCHED, Hypothesis
