@@ -70,7 +70,7 @@ def arms_of(cells: NDArray[np.int32], axis: int) -> Arms:
     cells : (height, width) number of the cell that each pixel belongs to, 0 elsewhere
     axis : 1 for arms along x, 0 along y
 
-    >>> cells = np.zeros((9, 20), dtype=np.int32); cells[2:5, 3:18] = 1; cells[5:9, 3:6] = 1
+    >>> cells = np.zeros((30, 20), dtype=np.int32); cells[2:5, 3:18] = cells[5:29, 3:6] = 1  # an angle: it goes on downwards
     >>> arms = arms_of(cells, 1); arms.along.tolist(), arms.across.tolist(), arms.dead.tolist()
     ([[6.0, 17.0]], [[2.0, 4.0]], [[False, True]])
     """
