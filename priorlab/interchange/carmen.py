@@ -32,6 +32,12 @@ DRIFT_M = 0.5
 ACCURACY_M = 0.01
 """Noise of a range where the log does not tell it: the laser's data sheet."""
 
+FOLLOWS_S = 60.0
+"""A clock that begins at 0 says the next scan's time within so many seconds; a date would be far from it."""
+
+STAMPED = "priorlab_has_stamps"
+"""Setting in the logs that `write_carmen` writes from a drive with stamps: there 0 is a moment."""
+
 TRUE_POSES = "priorlab_first_pose_is_true"
 """Setting in the logs that `write_carmen` writes from a drive whose truth is known."""
 
@@ -46,7 +52,10 @@ def read_carmen(
     tells (ROBOTLASER1, or PARAM robot_front_laser_max), and 81.8 m at most; without that the farthest range, when ten readings
     have it.
 
-    The scans are ordered by their stamps; when one of them is 0, they stay in the order of the file and `stamps` is None.
+    The scans are ordered by their stamps. Loggers write 0 for "no stamp": when all are 0, or a few in the midst of others, the
+    scans stay in the order of the file and `stamps` is None, since nobody knows when those few were taken. A simulator's clock
+    begins at 0: a 0 is a moment when it stands in line with the others, or when the lines are shuffled and one alone has it,
+    and another scan follows within a minute; and always in a log that `write_carmen` wrote with stamps.
 
     Parameters
     ----------
@@ -103,7 +112,7 @@ def read_carmen(
         raise ValueError(f"a CARMEN log must hold scans (FLASER or ROBOTLASER1), got none in {path}")
 
     stamps = None
-    if all(scan.stamp for scan in scans):
+    if STAMPED in settings or _are_moments(np.array([scan.stamp for scan in scans])):
         scans.sort(key=lambda scan: scan.stamp)
         stamps = np.array([scan.stamp for scan in scans])
     poses, odometry = np.array([scan.pose for scan in scans]), np.array([scan.wheels for scan in scans])
@@ -150,6 +159,16 @@ def _check_same_laser(one: CarmenScan, other: CarmenScan) -> None:
         raise ValueError(f"all scans of a log must have the angles of the first, got others in line {other.line}")
 
 
+def _are_moments(stamps: NDArray[np.float64]) -> bool:
+    """Whether all stamps say when; a 0 may also say that there is none."""
+    told = stamps[stamps != 0]
+    if len(told) in (0, len(stamps)):
+        return len(told) > 0
+    is_in_line = (np.diff(stamps) >= 0).all()
+    is_shuffled = (np.diff(told) < 0).any() and len(stamps) == len(told) + 1
+    return bool((is_in_line or is_shuffled) and np.abs(told).min() <= FOLLOWS_S)
+
+
 def _tell_different_paths(poses: NDArray[np.float64], wheels: NDArray[np.float64]) -> bool:
     """Whether two rows of poses are not those of two points of one body."""
     mounting = relative(wheels, poses)
@@ -158,9 +177,10 @@ def _tell_different_paths(poses: NDArray[np.float64], wheels: NDArray[np.float64
 
 
 def _between(wheels: NDArray[np.float64], stamps: NDArray[np.float64]) -> NDArray[np.float64] | None:
-    """(T, 3) ODOM lines at the stamps of the scans; None when they do not span them, to a second."""
+    """(T, 3) ODOM lines at the stamps of the scans; None when they do not span them, to a second, or some have no stamp."""
+    has_stamps = _are_moments(wheels[:, 0])
     wheels = wheels[np.argsort(wheels[:, 0], kind="stable")]
-    if (wheels[:, 0] == 0).any() or wheels[0, 0] > stamps[0] + 1 or wheels[-1, 0] < stamps[-1] - 1:
+    if not has_stamps or wheels[0, 0] > stamps[0] + 1 or wheels[-1, 0] < stamps[-1] - 1:
         return None
     x, y, theta = (np.interp(stamps, wheels[:, 0], column) for column in (wheels[:, 1], wheels[:, 2], np.unwrap(wheels[:, 3])))
     return np.column_stack([x, y, wrap_angle(theta)])

@@ -11,7 +11,7 @@ import numpy as np
 from priorlab.core.checks import check_record
 from priorlab.core.files import check_free, write_file
 from priorlab.core.readings import RobotLog
-from priorlab.interchange.carmen import TRUE_POSES
+from priorlab.interchange.carmen import STAMPED, TRUE_POSES
 from priorlab.interchange.carmen_lines import HALF_CIRCLE, half_circle
 
 _HEADER = "# CARMEN log, written by priorlab: message [contents] stamp host logger_stamp; metres, radians, seconds"
@@ -57,6 +57,8 @@ def write_carmen(path: str | os.PathLike[str], log: RobotLog, force: bool = Fals
     lines = [_HEADER, f"PARAM robot_front_laser_max {_text(limit)} priorlab 0"]
     if log.truth is not None:
         lines.append(f"PARAM {TRUE_POSES} on priorlab 0")
+    if log.stamps is not None:
+        lines.append(f"PARAM {STAMPED} on priorlab 0")
     poses = log.odometry if log.truth is None else log.truth
     stamps = np.zeros(len(log)) if log.stamps is None else log.stamps
     for ranges, pose, wheels, stamp in zip(log.ranges, poses, log.odometry, stamps, strict=True):

@@ -101,6 +101,28 @@ def test_read_carmen_orders_by_stamps(tmp_path):
     assert log.stamps is None and log.odometry[:, 0].tolist() == [1, 3, 2]
 
 
+@pytest.mark.parametrize(
+    ("stamps", "read", "order"),
+    [
+        ([0, 0.1, 0.2], [0, 0.1, 0.2], [0, 1, 2]),  # Stage and Gazebo begin at 0
+        ([0.3, 0.1, 0, 0.2], [0, 0.1, 0.2, 0.3], [2, 1, 3, 0]),  # the same, shuffled
+        ([0, 0, 0.1], [0, 0, 0.1], [0, 1, 2]),  # the clock had not begun to run
+        ([-0.5, 0, 0.5], [-0.5, 0, 0.5], [0, 1, 2]),
+        ([0, 0, 0], None, [0, 1, 2]),
+        ([0], None, [0]),
+        ([0, 1e9, 1e9 + 1], None, [0, 1, 2]),  # a date does not begin at 0
+        ([1e9 + 2, 1e9, 0, 1e9 + 1], None, [0, 1, 2, 3]),
+        ([5, 0, 7], None, [0, 1, 2]),  # one is missing: between 5 and 7
+        ([0.3, 0, 0.1, 0, 0.2], None, [0, 1, 2, 3, 4]),  # only one of them can be the beginning
+    ],
+)
+def test_read_carmen_knows_a_clock_that_begins_at_0_from_missing_stamps(tmp_path, stamps, read, order):
+    lines = [flaser(poses=f"{i} 0 0 {i} 0 0", stamp=stamp) for i, stamp in enumerate(stamps)]
+    (tmp_path / "a.log").write_text("".join(lines))
+    log = read_carmen(tmp_path / "a.log")
+    assert (None if log.stamps is None else log.stamps.tolist()) == read and log.odometry[:, 0].tolist() == order
+
+
 def test_read_carmen_takes_the_stamp_of_the_measurement_before_the_loggers(tmp_path):
     (tmp_path / "a.log").write_text(flaser(stamp=7.0).replace("robot 7.0", "robot 9.5"))
     assert read_carmen(tmp_path / "a.log").stamps.tolist() == [7.0]
@@ -113,6 +135,17 @@ def test_read_carmen_turns_between_odom_lines_the_short_way(tmp_path):
     log = read_carmen(tmp_path / "a.log")
     assert np.allclose(log.odometry[:, 0], [3.5, 4.5]) and np.allclose(np.abs(log.odometry[:, 2]), [np.pi, 3.0])
     assert np.allclose(log.truth[:, 0], [1, 2])
+
+
+def test_read_carmen_takes_odom_lines_of_a_clock_that_begins_at_0(tmp_path):
+    def odometry_of(stamps):
+        wheels = [f"ODOM {2 * i} 0 0 0 0 0 {stamp} robot {stamp}\n" for i, stamp in enumerate(stamps)]
+        scans = [flaser(poses=f"{i} 0 0 {i} 0 0", stamp=float(i)) for i in range(3)]
+        (tmp_path / "a.log").write_text("".join(wheels + scans))
+        return read_carmen(tmp_path / "a.log").odometry[:, 0].tolist()
+
+    assert odometry_of([0, 1, 2]) == [0, 2, 4]
+    assert odometry_of([0.5, 0, 2]) == [0, 1, 2]  # one of them has no stamp: the scans' own poses
 
 
 def test_read_carmen_takes_the_loggers_stamp_for_a_missing_one(tmp_path):
@@ -242,6 +275,17 @@ def test_write_carmen_keeps_stamps_and_a_truth_that_equals_the_odometry(tmp_path
     assert read_carmen(path).stamps.tolist() == [1076.25, 1076.5] and read_carmen(path).truth is None
     path = write_carmen(tmp_path / "a.log", log_by_hand(2, truth=log.odometry), force=True)
     np.testing.assert_array_equal(read_carmen(path).truth, log.odometry)
+
+
+@pytest.mark.parametrize("stamps", [[0, 0.1, 0.2], [0, 100, 200], [0, 0, 0], [-7, 0, 7], [0, 1e9, 2e9], [0.1, 0.2, 0.2]])
+def test_write_carmen_keeps_stamps_that_hold_a_zero(tmp_path, stamps):
+    path = write_carmen(tmp_path / "a.log", log_by_hand(3, stamps=np.array(stamps, dtype=float)))
+    assert read_carmen(path).stamps.tolist() == stamps
+    lines = path.read_text().splitlines()
+    scans = [line for line in lines if line.startswith("FLASER")]
+    shuffled = [line for line in lines if line not in scans] + [scans[i] for i in (2, 0, 1)]
+    path.write_text("\n".join(shuffled))
+    assert read_carmen(path).stamps.tolist() == sorted(stamps)
 
 
 def test_write_carmen_says_what_it_cannot_write(tmp_path):
