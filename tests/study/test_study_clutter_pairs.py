@@ -68,7 +68,31 @@ def test_full_tour_leaves_its_landmarks_where_it_must(pair):
     assert tour[:, 0].min() < 2 and tour[:, 0].max() > 6.5  # through the doorway, far from both
 
 
+def test_full_tour_covers_the_largest_part(pair):
+    solid = pair.plan.copy()
+    solid[40:62, 84:88] = True  # the doorway is walled up
+    solid[:, 30:34] = True  # so the right room is the largest part; the first pixel lies in the left one
+    tour = full_tour(as_walls(solid, 0.05), apart_m=1.5)
+    assert tour[:, 0].min() > 4.4 and len(tour) > 4
+    rows, cols = np.nonzero(cv2.distanceTransform((~solid).astype(np.uint8), cv2.DIST_L2, 5) > 12)
+    places = np.column_stack([cols + 0.5, 108 - rows - 0.5])[cols > 88] * 0.05
+    assert max(np.hypot(*(tour - place).T).min() for place in places[::37]) < 2
+    with pytest.raises(ValueError, match="the largest part of the free space must hold a place for the robot near its landmarks"):
+        full_tour(as_walls(solid, 0.05), landmarks=np.pad(solid[:, :20], ((0, 0), (0, 152))), near_m=1.0)
+
+
+@pytest.mark.parametrize("as_image", [lambda mask: mask.astype(int), lambda mask: 255 * mask.astype(np.uint8), np.ndarray.tolist])
+def test_full_tour_takes_landmarks_as_any_image(pair, as_image):
+    walls = as_walls(pair.world, 0.05)
+    expected = full_tour(walls, landmarks=pair.plan, near_m=1.0)
+    np.testing.assert_array_equal(full_tour(walls, landmarks=as_image(pair.plan), near_m=1.0), expected)
+
+
 def test_full_tour_says_what_is_wrong(pair):
+    with pytest.raises(ValueError, match="near_m must be a number, got 'a'"):
+        full_tour(as_walls(pair.world, 0.05), near_m="a")
+    with pytest.raises(ValueError, match="landmarks must be a 2-D image with at least one pixel, got shape"):
+        full_tour(as_walls(pair.world, 0.05), landmarks=[True, False])
     with pytest.raises(ValueError, match="apart_m must be a finite number above 0"):
         full_tour(as_walls(pair.world, 0.05), apart_m=0)
     with pytest.raises(ValueError, match="metres_per_pixel must be known"):
@@ -123,8 +147,10 @@ def test_longest_blind_way_is_summed_between_scans_that_return(pair):
 
 
 @pytest.mark.skipif("PRIORLAB_REAL_DATA" not in os.environ, reason="PRIORLAB_REAL_DATA is not set")
-def test_clutter_pair_of_a_real_building():
+def test_clutter_pairs_of_real_buildings():
+    """Three buildings, five seeds each; three minutes."""
     folder = Path(os.environ["PRIORLAB_REAL_DATA"]) / "clutter_pairs"
-    row = clutter_pair(folder, "lab_ipa", seed=0)
-    print("\n" + pairs_table([row]))
-    assert not row.run.lost and row.run.ate_m() < 0.3 and row.f2_plan > row.f2_none
+    rows = [clutter_pair(folder, name, seed) for name in ("lab_ipa", "lab_intel", "office_a") for seed in range(5)]
+    print("\n" + pairs_table(rows))
+    for row in rows:
+        assert not row.run.lost and row.run.ate_m() <= 0.3 and row.f2_plan > row.f2_none
