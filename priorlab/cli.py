@@ -225,7 +225,9 @@ def _localize(arguments: argparse.Namespace) -> int:
     check_place(arguments.out, arguments.force, keep=[arguments.log, arguments.map])
     import math
 
-    from priorlab.report.own_log import WHEEL_NOISE, advice, drive_own_log, numbers_of_run, read_own_log, write_own_log
+    from priorlab.report.own_log import WHEEL_NOISE, advice, drive_own_log, read_own_log, told_of_walls
+    from priorlab.report.own_log_files import write_own_log
+    from priorlab.report.own_log_verdict import judge
     from priorlab.slam.parameters import TUNED
 
     tell = _Clock()
@@ -235,27 +237,27 @@ def _localize(arguments: argparse.Namespace) -> int:
     temper = TUNED.temper if arguments.temper is None else arguments.temper
     start, off = (x, y, math.radians(degrees)), (arguments.start_error[0], math.radians(arguments.start_error[1]))
     own = read_own_log(arguments.log, arguments.map, start, arguments.metres_per_pixel, arguments.max_range, noise, off, temper)
-    if sentence := advice(own):
-        print(f"  {sentence}")
     out = Path(arguments.out)
     out.absolute().parent.mkdir(parents=True, exist_ok=True)
     part = out.with_name(f"{out.name}.part")
-    tell(f"FastSLAM on {len(own.log)} scans; Ctrl-C stops it, --resume goes on")
-    run = drive_own_log(own, part, arguments.seed, arguments.resume, arguments.force, _Steps())
+
+    def begins() -> None:
+        for sentence in (told_of_walls(own), advice(own)):
+            print(*([f"  {sentence}\n"] if sentence else []), end="")
+        tell(f"FastSLAM on {len(own.log)} scans; Ctrl-C stops it, --resume goes on")
+
+    run = drive_own_log(own, part, arguments.seed, arguments.resume, arguments.force, _Steps(), begins)
     tell("results")
-    notes = write_own_log(run, own, out, arguments.command_line, arguments.force, arguments.map_mode)
+    verdict = judge(run, own)
+    notes = write_own_log(run, own, verdict, out, arguments.command_line, arguments.force, arguments.map_mode)
     part.unlink()
-    print(f"\n  {run.summary(log=own.corrected)}")
-    if own.corrected is not None:
-        print("  the errors are against the log's corrected poses, laid on the start: they cannot tell a wrong start")
-    explained = numbers_of_run(run, own.corrected)["median_beams_explained"]
-    if explained is not None:
-        print(f"  the plan's walls explain {100 * explained:.0f} % of a scan's beams (median)")
+    lost = f"LOST ({verdict.lost}), " if verdict.lost and not run.lost else ""  # a lost run says so itself
+    print(f"\n  {lost}{run.summary(log=verdict.corrected)}")
     for note in notes:
         print(f"  {note}")
-    corrected = "" if own.corrected is None else "corrected.tum, "
-    print(f"\n  {out / 'map.png'}, map.yaml, trajectory.tum, {corrected}run.npz, numbers.json")
-    return LOST if run.lost else GOOD
+    more = "".join(f"{name}, " for name in ("corrected.tum", "walls.png") if (out / name).exists())
+    print(f"\n  {out / 'map.png'}, map.yaml, trajectory.tum, {more}run.npz, numbers.json")
+    return LOST if verdict.lost else GOOD
 
 
 class _Steps:

@@ -1,21 +1,17 @@
-"""A robot's own log in the plan of its building: where was it, and what is there today? The work of `priorlab localize`."""
+"""A robot's own log in the plan of its building: what `priorlab localize` reads and how it drives."""
 
 from __future__ import annotations
 
-import json
 import os
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from priorlab.core.checks import check_not_negative, check_number, check_poses, check_positive
 from priorlab.core.drawing import Walls
-from priorlab.core.files import new_folder
 from priorlab.core.grid_map import GridMap
 from priorlab.core.pose import compose, relative
 from priorlab.core.readings import RobotLog
@@ -23,17 +19,14 @@ from priorlab.core.sensor import MOST_ALPHA
 from priorlab.drawing.extraction import extract_walls
 from priorlab.interchange.carmen import read_carmen
 from priorlab.interchange.images import read_drawing
-from priorlab.interchange.ros_map import Mode, read_ros_map, write_ros_map
-from priorlab.interchange.trajectories import write_tum
+from priorlab.interchange.ros_map import read_ros_map
 from priorlab.mapping.prior import build_prior_map
 from priorlab.pipeline import SLAM_CELL_M, SLAM_PRIOR
-from priorlab.plot.maps import map as draw_map
-from priorlab.report.pictures import picture, size_for
 from priorlab.slam.checkpoint import inputs_of, resume, run_with_checkpoints, state_of
 from priorlab.slam.fastslam import FARTHEST_M, FastSLAM
 from priorlab.slam.parameters import TUNED, Parameters
 from priorlab.slam.recording import Run
-from priorlab.slam.run_file import save_run
+from priorlab.slam.run_inputs import OlderFile
 
 WHEEL_NOISE = 0.01
 """All four alphas for wheels that nobody has measured; the simulated ones (0.002) are better than most."""
@@ -43,6 +36,9 @@ FAR_APART_M = 0.8
 
 LONGEST_M = 20.0
 """Beams from here on are left out: over 20 m, a degree of heading moves a beam's end by 35 cm."""
+
+MANY_WALLS = 0.25
+"""Walls on more of a drawing than this are hardly walls: furniture, hatching or solid black was taken for them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +52,7 @@ class OwnLog:
     corrected : the same log; its truth is what a mapper has made of it, laid on the start. None when there is no such
     parameters : `TUNED`, but for the laser's range, the wheels, the start and the temper
     origin : x, y (metres), theta of the map's lower left corner in the frame that the user speaks of (a ROS map's origin)
+    walls : what was taken for walls of a drawing; None with a ROS map
     """
 
     prior_map: GridMap
@@ -63,6 +60,12 @@ class OwnLog:
     corrected: RobotLog | None
     parameters: Parameters
     origin: tuple[float, float, float]
+    walls: Walls | None = None
+
+    @property
+    def has_exact_start(self) -> bool:
+        """True when the user did not call the start uncertain."""
+        return not any(self.parameters.start_variances)
 
 
 def read_own_log(
@@ -91,13 +94,13 @@ def read_own_log(
 
     The poses of a CARMEN log are the laser's own, as `start` is, so there is no sensor offset to take account of
     (`sensor_offset_m` stays 0). Poses that a mapper has corrected lie in a frame of their own. Laid on the start, they tell how
-    well the robot kept track, but not whether the start was right: so they are not taken for the truth when it is asked whether
-    the robot got lost.
+    well the robot kept track, but not whether the start was right: so the filter's own signs, not they, say first whether the
+    robot got lost (`own_log_verdict` asks them next).
     """
     check_not_negative("wheel_noise", wheel_noise, MOST_ALPHA)
     if np.abs(check_poses("start", [start])).max() > FARTHEST_M:
         raise ValueError(f"start must lie within {FARTHEST_M:g} m, got x {start[0]:g}, y {start[1]:g} m")
-    prior_map, origin = _read_prior_map(Path(map_path), metres_per_pixel)
+    prior_map, origin, walls = _read_prior_map(Path(map_path), metres_per_pixel)
     log = read_carmen(log_path)
     here = relative(np.asarray(origin), np.asarray(start))
     _check_on_map(prior_map, here, start, origin)
@@ -120,6 +123,7 @@ def read_own_log(
             temper=temper,
         ),
         origin,
+        walls,
     )
 
 
@@ -136,13 +140,13 @@ def _check_on_map(
         )
 
 
-def _read_prior_map(path: Path, metres_per_pixel: float | None) -> tuple[GridMap, tuple[float, float, float]]:
-    """m_0 and its origin, from a ROS map or a drawing."""
+def _read_prior_map(path: Path, metres_per_pixel: float | None) -> tuple[GridMap, tuple[float, float, float], Walls | None]:
+    """m_0, its origin and the walls that were found, from a ROS map (none are looked for) or a drawing."""
     if path.suffix.lower() in (".yaml", ".yml"):
         if metres_per_pixel is not None:
             raise ValueError(f"metres_per_pixel must not be given with a ROS map, which knows its own, got {metres_per_pixel:g}")
         ros = read_ros_map(path)
-        return ros.to_prior_map(SLAM_PRIOR), ros.origin
+        return ros.to_prior_map(SLAM_PRIOR), ros.origin, None
     yaml = next((beside for suffix in (".yaml", ".yml") if (beside := path.with_suffix(suffix)).is_file()), None)
     if path.suffix.lower() == ".pgm":
         found = f"give {yaml}, which lies beside it" if yaml else "no yaml of its name lies beside it"
@@ -154,7 +158,22 @@ def _read_prior_map(path: Path, metres_per_pixel: float | None) -> tuple[GridMap
     walls = Walls(extract_walls(drawing).walls.labels, drawing.metres_per_pixel, drawing.name)
     if not walls.mask.any():
         raise ValueError(f"the drawing must show walls to localize by, got none that was found in {path}")
-    return build_prior_map(walls, SLAM_PRIOR, cell_size_m=max(SLAM_CELL_M, drawing.metres_per_pixel or 0.0)), (0.0, 0.0, 0.0)
+    prior_map = build_prior_map(walls, SLAM_PRIOR, cell_size_m=max(SLAM_CELL_M, drawing.metres_per_pixel or 0.0))
+    return prior_map, (0.0, 0.0, 0.0), walls
+
+
+def told_of_walls(own: OwnLog) -> str | None:
+    """A sentence on what was taken for the walls of a drawing; None with a ROS map."""
+    if own.walls is None:
+        return None
+    share = float(own.walls.mask.mean())
+    sentence = f"walls were found on {100 * share:.0f} % of the drawing (walls.png)"
+    if share <= MANY_WALLS:
+        return sentence
+    return (
+        f"{sentence}, more than walls take up: other ink was taken for walls; "
+        "of a clean plan make a ROS map (docs/own_robot.md), then nothing is looked for"
+    )
 
 
 def advice(own: OwnLog) -> str | None:
@@ -176,12 +195,14 @@ def drive_own_log(
     go_on: bool = False,
     force: bool = False,
     progress: Callable[[int, int], None] | None = None,
+    begins: Callable[[], None] | None = None,
 ) -> Run:
     """FastSLAM through the log; what is done so far lies in `part`, and with `go_on` it is gone on with.
 
     Parameters
     ----------
     seed : of the filter; None is 0, and with `go_on` the one that the drive began with
+    begins : called once nothing speaks against the drive any more
 
     Raises
     ------
@@ -190,78 +211,49 @@ def drive_own_log(
     ValueError
         When the one that lies there is another log's, or began with other numbers or another seed.
     """
-    if not go_on:
-        if os.path.lexists(part) and not force:
-            raise FileExistsError(f"{part} holds a drive that was interrupted: go on with --resume, or begin anew with --force")
-        fast_slam, rng = FastSLAM(own.parameters), np.random.default_rng(seed or 0)
-        return run_with_checkpoints(fast_slam, own.prior_map, own.log, rng, part, progress=progress, force=force)
-    if other := _begun_otherwise(own, seed, part):
-        raise ValueError(f"{', '.join(other)} must be as {part} began with, to go on with it, got another")
-    return resume(part, progress)
+    if not go_on and os.path.lexists(part) and not force:
+        raise FileExistsError(f"{part} holds a drive that was interrupted: go on with --resume, or begin anew with --force")
+    if go_on:
+        _check_begun_alike(own, seed, part)
+    if begins:
+        begins()
+    if go_on:
+        return resume(part, progress)
+    fast_slam, rng = FastSLAM(own.parameters), np.random.default_rng(seed or 0)
+    return run_with_checkpoints(fast_slam, own.prior_map, own.log, rng, part, progress=progress, force=force)
+
+
+def _check_begun_alike(own: OwnLog, seed: int | None, part: Path) -> None:
+    """Say how to go on when a drive was begun otherwise than it is asked for."""
+    try:
+        other = _begun_otherwise(own, seed, part)
+    except OlderFile as fault:
+        raise ValueError(f"{part} was written by an older priorlab; begin anew with --force") from fault
+    if other == [_OWN_NUMBERS]:
+        raise ValueError(f"{part} began with {_OWN_NUMBERS}; begin anew with --force")
+    if other:
+        raise ValueError(f"{part} began with {' and '.join(other)}: give the same, or begin anew with --force")
+
+
+_OWN_NUMBERS = "other numbers of priorlab's own than today's"
 
 
 def _begun_otherwise(own: OwnLog, seed: int | None, part: Path) -> list[str]:
-    """What differs between a drive that was begun and the one that is asked for, by the names of the options."""
+    """What a drive was begun with that differs from what is asked for, by the names of the options."""
     prior_map, log, parameters, rng = inputs_of(part)
     wished = own.parameters
     arrays = [(getattr(log, name), getattr(own.log, name)) for name in ("odometry", "ranges", "bearings")]
+    off_m, _, off_turn = np.sqrt(parameters.start_variances)
     same = {
-        "the log": log.scanner == own.log.scanner and all(np.array_equal(*pair, equal_nan=True) for pair in arrays),
-        "--map": (prior_map.grid, prior_map.prior) == (own.prior_map.grid, own.prior_map.prior)
+        "another log": log.scanner == own.log.scanner and all(np.array_equal(*pair, equal_nan=True) for pair in arrays),
+        "another --map": (prior_map.grid, prior_map.prior) == (own.prior_map.grid, own.prior_map.prior)
         and np.array_equal(prior_map.log_odds, own.prior_map.log_odds),
-        "--start": np.array_equal(log.start, own.log.start),
-        "--start-error": parameters.start_variances == wished.start_variances,
-        "--max-range": parameters.max_range_m == wished.max_range_m,
-        "--wheel-noise": parameters.alphas == wished.alphas,
-        "--temper": parameters.temper == wished.temper,
-        "--seed": seed is None or rng == state_of(np.random.default_rng(seed)),
+        "another --start": np.array_equal(log.start, own.log.start),
+        f"another --start-error ({off_m:g} {np.degrees(off_turn):g})": parameters.start_variances == wished.start_variances,
+        f"another --max-range ({parameters.max_range_m:g})": parameters.max_range_m == wished.max_range_m,
+        f"another --wheel-noise ({parameters.alphas[0]:g})": parameters.alphas == wished.alphas,
+        f"another --temper ({parameters.temper:g})": parameters.temper == wished.temper,
+        "another --seed": seed is None or rng == state_of(np.random.default_rng(seed)),
     }
     other = [name for name, is_same in same.items() if not is_same]
-    return other or ([] if parameters == wished else ["priorlab's own numbers"])
-
-
-def write_own_log(
-    run: Run, own: OwnLog, out: str | Path, command: str, force: bool = False, map_mode: Mode = "trinary"
-) -> list[str]:
-    """Write what came of it into a new folder; what there is to say about it, in sentences.
-
-    run.npz; trajectory.tum, and corrected.tum when the log has such poses, in the frame of the map that came in; map.yaml and
-    map.pgm, the map as it is today, for ROS; map.png, the same with the way; numbers.json.
-    """
-    with new_folder(out, force) as folder, warnings.catch_warnings(record=True) as told:
-        warnings.simplefilter("always", UserWarning)
-        save_run(run, folder / "run.npz")
-        ways = {"trajectory": run.trajectory, "corrected": None if own.corrected is None else own.corrected.truth}
-        for name, way in ways.items():
-            if way is not None:
-                write_tum(folder / f"{name}.tum", compose(np.asarray(own.origin), way), run.log.stamps)
-        write_ros_map(folder / "map.yaml", run.map, map_mode, own.origin)
-        grid = run.map.grid
-        drawn = picture(lambda ax: draw_map(run.map, ax, run.trajectory), "", "", size_for(grid.shape))
-        (folder / "map.png").write_bytes(drawn.png)
-        notes = [str(one.message) for one in told if issubclass(one.category, UserWarning)]
-        numbers = numbers_of_run(run, own.corrected) | {"notes": notes, "command": command}
-        (folder / "numbers.json").write_text(json.dumps(numbers, indent=2, allow_nan=False) + "\n")
-    return notes
-
-
-def numbers_of_run(run: Run, corrected: RobotLog | None) -> dict[str, Any]:
-    """What can be measured of a run, unrounded; errors are None without corrected poses to hold it against."""
-    known = corrected is not None
-    explained = float(np.nanmedian(run.explained)) if np.isfinite(run.explained).any() else None
-    return {
-        "steps": len(run),
-        "lost": run.lost_because,
-        "ate_m": run.ate_m(corrected) if known else None,
-        "rpe_m": run.rpe_m(corrected) if known and len(run) > 1 else None,
-        "rpe_deg": run.rpe_deg(corrected) if known and len(run) > 1 else None,
-        "heading_error_deg": run.heading_error_deg(corrected) if known else None,
-        "particles": [int(run.n_particles.min()), int(run.n_particles.max())],
-        "median_ess_share": float(np.median(run.ess / run.n_particles)),
-        "median_beams_explained": explained,
-        "map_m": [side * run.map.grid.scale for side in run.map.grid.image_shape[::-1]],
-        "cell_m": run.map.grid.cell_size_m,
-        "max_range_m": run.parameters.max_range_m,
-        "alphas": list(run.parameters.alphas),
-        "temper": run.parameters.temper,
-    }
+    return other or ([] if parameters == wished else [_OWN_NUMBERS])

@@ -31,7 +31,7 @@ from priorlab.slam.parameters import Parameters
 from priorlab.slam.particles import Particles
 from priorlab.slam.record_file import append_record, pack_record, whole_records
 from priorlab.slam.recording import Recorder, Run
-from priorlab.slam.run_inputs import UNREADABLE, arrays_of, inputs_as_arrays, inputs_from_arrays
+from priorlab.slam.run_inputs import UNREADABLE, OlderFile, arrays_of, inputs_as_arrays, inputs_from_arrays
 from priorlab.slam.scan import choose_beams
 from priorlab.slam.state import State
 
@@ -143,6 +143,8 @@ def _sentence(path: Path) -> Iterator[None]:
     """Whatever a damaged file raises, as one sentence."""
     try:
         yield
+    except OlderFile as fault:
+        raise OlderFile(f"{path} must be a checkpoint of this priorlab, got an older one's: {fault}") from fault
     except UNREADABLE as fault:
         raise ValueError(f"{path} must be a checkpoint that priorlab wrote, got a damaged file: {fault}") from fault
 

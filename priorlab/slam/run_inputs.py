@@ -24,6 +24,10 @@ UNREADABLE = (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile, zli
 """What reading arrays or records raises when a file is damaged or is something else."""
 
 
+class OlderFile(ValueError):
+    """A whole file, in a format that priorlab wrote once and no longer reads."""
+
+
 def inputs_as_arrays(
     file_format: str, prior_map: GridMap, log: RobotLog, parameters: Parameters, **more_words: Any
 ) -> dict[str, Any]:
@@ -45,6 +49,10 @@ def inputs_from_arrays(file_format: str, arrays: dict[str, NDArray]) -> tuple[Gr
     """The records again, and all words; one of `UNREADABLE` when they are not there."""
     words = json.loads(str(arrays["words"]))
     if words["format"] != file_format:
+        kind, _, number = str(words["format"]).rpartition(" ")
+        ours, _, today = file_format.rpartition(" ")
+        if kind == ours and number.isdecimal() and int(number) < int(today):
+            raise OlderFile(f"it was written by an older priorlab, as {words['format']!r}")
         raise ValueError(f"unknown format {words['format']!r}")
     words["grid"]["image_shape"] = tuple(words["grid"]["image_shape"])
     prior = None if words["prior"] is None else Prior(**words["prior"])

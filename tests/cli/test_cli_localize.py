@@ -6,6 +6,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -23,7 +24,10 @@ from priorlab.interchange.trajectories import read_tum
 from priorlab.report.own_log import advice, drive_own_log, read_own_log
 from priorlab.robot.drive import drive
 from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.parameters import TUNED
+from priorlab.slam.record_file import pack_record, whole_records
 from priorlab.slam.run_file import load_run
+from priorlab.slam.run_inputs import arrays_of
 
 PIXEL_M = 0.05
 ORIGIN = (-10.0, 5.0, 0.5)
@@ -239,15 +243,15 @@ def resumed(folder, options, log_name="blind.log"):
 @pytest.mark.parametrize(
     ("change", "named"),
     [
-        ({"--seed": ["4"]}, "--seed"),
-        ({"--seed": ["0"]}, "--seed"),
-        ({"--start": ["1.1", "1.5", "0"]}, "--start"),
-        ({"--start-error": ["0.1", "5"]}, "--start-error"),
-        ({"--max-range": ["5"]}, "--max-range"),
-        ({"--wheel-noise": ["0.02"]}, "--wheel-noise"),
-        ({"--temper": ["0.2"]}, "--temper"),
-        ({"--metres-per-pixel": ["0.1"], "--start": ["1", "1.5", "0"]}, "--map"),  # as many cells, twice as large
-        ({"--seed": ["4"], "--max-range": ["5"]}, "--max-range, --seed"),
+        ({"--seed": ["4"]}, "another --seed"),
+        ({"--seed": ["0"]}, "another --seed"),
+        ({"--start": ["1.1", "1.5", "0"]}, "another --start"),
+        ({"--start-error": ["0.1", "5"]}, "another --start-error (0 0)"),
+        ({"--max-range": ["5"]}, "another --max-range (6)"),
+        ({"--wheel-noise": ["0.02"]}, "another --wheel-noise (0.01)"),
+        ({"--temper": ["0.2"]}, "another --temper (0.05)"),
+        ({"--metres-per-pixel": ["0.1"], "--start": ["1", "1.5", "0"]}, "another --map"),  # as many cells, twice as large
+        ({"--seed": ["4"], "--max-range": ["5"]}, "another --max-range (6) and another --seed"),
     ],
 )
 def test_localize_goes_on_with_the_numbers_of_its_drive_only(place, begun, capsys, change, named):
@@ -255,8 +259,9 @@ def test_localize_goes_on_with_the_numbers_of_its_drive_only(place, begun, capsy
     with open(part, "rb") as file:
         before = file.read()
     assert resumed(place[0], begun | change) == 2
-    said = capsys.readouterr().err
-    assert f"priorlab: {named} must be as {part} began with, to go on with it, got another" in said and said.count("\n") == 1
+    told, said = capsys.readouterr()
+    assert said == f"priorlab: {part} began with {named}: give the same, or begin anew with --force\n"
+    assert "FastSLAM" not in told  # nothing is announced that is then refused
     with open(part, "rb") as file:
         assert file.read() == before
 
@@ -265,7 +270,25 @@ def test_localize_goes_on_with_the_log_of_its_drive_only(place, begun, tmp_path,
     lines = (place[0] / "blind.log").read_text().splitlines(keepends=True)
     (tmp_path / "shorter.log").write_text("".join(lines[:-1]))
     assert resumed(place[0], begun, tmp_path / "shorter.log") == 2
-    assert "priorlab: the log must be as" in capsys.readouterr().err
+    assert ".part began with another log: give the same" in capsys.readouterr().err
+
+
+def test_localize_does_not_go_on_with_other_numbers_of_its_own(place, begun, monkeypatch, capsys):
+    monkeypatch.setattr("priorlab.report.own_log.TUNED", replace(TUNED, n_beams=TUNED.n_beams + 1))
+    assert resumed(place[0], begun) == 2
+    said = capsys.readouterr().err
+    assert said.endswith(".part began with other numbers of priorlab's own than today's; begin anew with --force\n")
+
+
+def test_localize_says_when_an_older_priorlab_began(place, begun, tmp_path, capsys):
+    with open(begun["--out"][0] + ".part", "rb") as file:
+        first, *more = whole_records(file.read())[0]
+    arrays = arrays_of(first)
+    arrays["words"] = np.array(str(arrays["words"]).replace("priorlab checkpoint 2", "priorlab checkpoint 1"))
+    (tmp_path / "out.part").write_bytes(b"".join(map(pack_record, [arrays, *map(arrays_of, more)])))
+    assert resumed(place[0], begun | {"--out": [str(tmp_path / "out")]}) == 2
+    said = capsys.readouterr().err
+    assert said == f"priorlab: {tmp_path / 'out.part'} was written by an older priorlab; begin anew with --force\n"
 
 
 @pytest.mark.parametrize("seed", [None, 3])
@@ -321,5 +344,5 @@ def test_localize_goes_on_with_its_own_drive_only(place, tmp_path, capsys):
     elsewhere = compose(np.array(ORIGIN), log.start + [0.1, 0, 0])
     command = localize(folder, "blind.log", "plan.yaml", tmp_path / "out", degrees_at(elsewhere), "--resume")
     assert main(command) == 2
-    assert f"--start must be as {tmp_path / 'out.part'} began with, to go on with it, got another" in capsys.readouterr().err
+    assert f"{tmp_path / 'out.part'} began with another --start: give the same" in capsys.readouterr().err
     assert os.listdir(tmp_path) == ["out.part"]
