@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from priorlab.core.building import Truth
-from priorlab.core.checks import check_positive, check_record
+from priorlab.core.checks import check_choice, check_positive, check_record
 from priorlab.core.drawing import Walls
 from priorlab.core.grid_map import GridMap
 from priorlab.core.log_odds import DETECTED_WALL
+
+WindowsAre = Literal["wall", "empty", "ignore"]
+"""What the person who marked the walls took windows for."""
 
 
 @dataclass(frozen=True)
@@ -86,16 +90,30 @@ def score_mask(detected: ArrayLike, truth: Truth, beta: float = 2.0, threshold: 
     return Score(tp=tp, fp=fp, fn=positive - tp, tn=n_counted - positive - fp, beta=beta, threshold=threshold)
 
 
-def score_walls(walls: Walls, truth: Truth, beta: float = 2.0) -> Score:
+def score_walls(walls: Walls, truth: Truth, beta: float = 2.0, windows: WindowsAre = "wall") -> Score:
     """How well walls were extracted from a drawing (thesis 3.3.2).
+
+    Parameters
+    ----------
+    walls : what was found
+    truth : what is there
+    beta : weight of recall in F-beta
+    windows : whoever marked the truth took windows for "wall", as our own truths do, or "empty"; "ignore" counts none of them
 
     Raises
     ------
     ValueError
-        When walls and truth differ in shape.
+        When walls and truth differ in shape, or `windows` is none of the three.
     """
     check_record("walls", walls, Walls)
-    return score_mask(walls.mask, truth, beta)
+    check_record("truth", truth, Truth)
+    check_choice("windows", windows, get_args(WindowsAre))
+    if windows == "wall" or walls.shape != truth.shape:
+        return score_mask(walls.mask, truth, beta)
+    known = np.zeros(truth.shape, dtype=bool) if truth.windows is None else truth.windows
+    if windows == "ignore":
+        return score_mask(walls.mask, replace(truth, ignore=truth.ignore | known | walls.windows), beta)
+    return score_mask(walls.mask & ~walls.windows, replace(truth, walls=truth.walls & ~known, windows=None), beta)
 
 
 def score_map(grid_map: GridMap, truth: Truth, threshold: float = DETECTED_WALL, beta: float = 2.0) -> Score:

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from priorlab.core.building import Truth
-from priorlab.core.drawing import Walls
+from priorlab.core.drawing import EMPTY, WALL, WINDOW, Walls
 from priorlab.core.grid import Grid
 from priorlab.core.grid_map import GridMap
 from priorlab.core.score import Score, score_map, score_mask, score_walls
@@ -95,3 +95,22 @@ def test_score_map_says_what_is_wrong(keywords, sentence):
     truth = Truth(np.ones(SHAPE, bool), np.zeros(SHAPE, bool))
     with pytest.raises(ValueError, match=sentence):
         score_map(GridMap(np.zeros(SHAPE), Grid(SHAPE)), truth, **keywords)
+
+
+def test_score_walls_takes_windows_for_what_the_truth_took_them_for():
+    found = Walls(np.array([[WALL, WALL, WINDOW, WINDOW, WALL, EMPTY]], dtype=np.uint8))
+    is_wall = np.array([[1, 1, 1, 0, 0, 1]], dtype=bool)  # the third pixel is a window's ink, the last two of them are mistakes
+    pane = np.array([[0, 0, 1, 0, 0, 0]], dtype=bool)
+    truth = Truth(is_wall, np.zeros_like(is_wall), windows=pane)
+
+    def counts(windows):
+        score = score_walls(found, truth, windows=windows)
+        return score.tp, score.fp, score.fn, score.tn
+
+    assert counts("wall") == (3, 2, 1, 0)
+    assert counts("empty") == (2, 1, 1, 2)  # of the truth's walls two and the last; found are three
+    assert counts("ignore") == (2, 1, 1, 0)  # neither the truth's window nor what was called one
+    unmarked = Truth(is_wall, np.zeros_like(is_wall))
+    assert score_walls(found, unmarked, windows="empty").fn == 2  # nobody knows that the third is a window
+    with pytest.raises(ValueError, match="windows must be"):
+        score_walls(found, truth, windows="glass")
