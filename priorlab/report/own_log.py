@@ -37,7 +37,7 @@ FAR_APART_M = 0.8
 LONGEST_M = 20.0
 """Beams from here on are left out: over 20 m, a degree of heading moves a beam's end by 35 cm."""
 
-MANY_WALLS = 0.25
+MANY_WALLS = 0.15
 """Walls on more of a drawing than this are hardly walls: furniture, hatching or solid black was taken for them."""
 
 
