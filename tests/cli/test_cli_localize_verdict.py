@@ -199,8 +199,8 @@ def test_localize_leaves_the_walls_that_it_found_in_a_drawing(place, tmp_path, c
     assert "walls.png, run.npz" in told and "other ink" not in told
 
 
-@pytest.mark.parametrize(("rows", "warned"), [(2, False), (3, True)])
-def test_told_of_walls_warns_when_a_quarter_of_the_drawing_is_wall(done, rows, warned):
+@pytest.mark.parametrize(("rows", "warned"), [(1, False), (2, True)])
+def test_told_of_walls_warns_when_a_fifth_of_the_drawing_is_wall(done, rows, warned):
     own = done[3]
     labels = np.zeros((10, 10), dtype=np.uint8)
     labels[:rows] = WALL
