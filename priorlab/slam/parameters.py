@@ -89,10 +89,10 @@ class Parameters:
     - Where few beams return, they are all there is: the root of their number keeps the way through a hall (at most 0.7 m off
       instead of 1.0 m). A drive that keeps to the walls (`priorlab.study.full_tour`) goes at most 8 m with hardly a return, and
       none of fifteen through real buildings got lost. A longer way through nothing stays a risk: there the wheels steer alone.
-    - Wheels ten times worse (0.02 and alphas of 0.05) get lost on `office_floor` in all of five runs (ATE 0.8 to 1.6 m).
+    - Wheels ten times worse (0.02 and alphas of 0.05) get lost on `office_floor` in all of five runs (ATE 0.9 to 1.6 m).
     - Localizing in the map as it grows drifts on `office_floor` (ATE 0.9 to 1.6 m, lost in most runs): most of what the robot
       sees was written by its own last scans, so an error of heading becomes the map. In a map that lags by the range of its
-      eyes, 3 m, it got lost in none of five runs, a little further off than in the plan (0.26 m, in the plan 0.18 m). Neither
+      eyes, 3 m, it got lost in none of five runs, a little further off than in the plan (0.26 m, in the plan 0.19 m). Neither
       lam = 0 nor one look per place helps.
 
     >>> Parameters().particle_limits
