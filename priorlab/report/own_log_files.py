@@ -45,14 +45,14 @@ def write_own_log(
         (folder / "map.png").write_bytes(drawn.png)
         if own.walls is not None:
             (folder / "walls.png").write_bytes(encode_png(np.where(own.walls.mask, 0, 255).astype(np.uint8)))
-        warned = [_as_typed(str(one.message)) for one in told if issubclass(one.category, UserWarning)]
+        warned = [_with_typed_mode(str(one.message)) for one in told if issubclass(one.category, UserWarning)]
         notes = [*verdict.notes, *warned]
         numbers = numbers_of_run(run, own, verdict) | {"notes": notes, "command": command}
         (folder / "numbers.json").write_text(json.dumps(numbers, indent=2, allow_nan=False) + "\n")
     return notes
 
 
-def _as_typed(sentence: str) -> str:
+def _with_typed_mode(sentence: str) -> str:
     """The mode of a ROS map as one types it at the command line."""
     return re.sub(r"\bmode='(\w+)'", r"--map-mode \1", sentence)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,6 +56,12 @@ class Roads:
         edges = (np.concatenate(starts), np.concatenate(ends))
         self.net = coo_array((np.concatenate(lengths), edges), shape=(len(rows), len(rows))).tocsr()
 
+    @cached_property
+    def in_largest_part(self) -> NDArray[np.bool_]:
+        """(N,) bool, which points hang together with most others."""
+        _, part_of = connected_components(self.net, directed=False)
+        return np.asarray(part_of == np.bincount(part_of, minlength=1).argmax())
+
     def nearest(self, place: Place) -> int:
         """The point next to a place."""
         return int(((self.points - place) ** 2).sum(axis=1).argmin())
@@ -67,11 +74,10 @@ class Roads:
 
 def shortest_round(roads: Roads, places: Sequence[Place]) -> NDArray[np.int64]:
     """Corners (row, col) of a way through all places in the largest part of the net, in an order that keeps it short."""
-    _, part_of = connected_components(roads.net, directed=False)
-    largest = np.bincount(part_of).argmax()
-    stops = np.unique([point for point in map(roads.nearest, places) if part_of[point] == largest])
+    reached = roads.in_largest_part
+    stops = np.unique([point for point in map(roads.nearest, places) if reached[point]])
     if stops.size == 0:  # no room's middle lies there: begin anywhere in it
-        stops = np.flatnonzero(part_of == largest)[:1]
+        stops = np.flatnonzero(reached)[:1]
     lengths, before = dijkstra(roads.net, directed=False, indices=stops, return_predecessors=True)
     order = _short_order(lengths[:, stops])
     corners = [_place(roads.points[stops[order[0]]])]

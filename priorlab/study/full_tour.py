@@ -5,7 +5,6 @@ from __future__ import annotations
 import cv2
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.sparse.csgraph import connected_components
 
 from priorlab.core.checks import as_float, check_image, check_positive
 from priorlab.core.drawing import Walls
@@ -25,7 +24,8 @@ def full_tour(
 
     The stops are found one by one, each the place farthest from all others; `plan_tour` visits the middles of rooms alone,
     which leaves most walls of a large office beyond the reach of a Kinect. A robot that must find itself by what it sees is not
-    driven across the middle of a hall: with `landmarks`, stops and ways keep within `near_m` of them wherever they can.
+    driven across the middle of a hall: with `near_m`, stops and ways keep so near to `landmarks` wherever they can, and places farther
+    off need no stop.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def full_tour(
     space = find_free_space(walls)
     near = _within(reach_m / grid.scale, marks)
     roads = Roads(space.drivable, space.distance, step=max(1, int(space.door_width / 8)), preferred=near)
-    points = roads.points[_in_largest_part(roads) & near[tuple(roads.points.T)]]
+    points = roads.points[roads.in_largest_part & near[tuple(roads.points.T)]]
     room_to_stand = space.distance[tuple(points.T)] * grid.scale
     places = points[room_to_stand >= min(OFF_WALLS_M, room_to_stand.max(initial=0.0))]
     if not len(places):
@@ -69,12 +69,6 @@ def full_tour(
         nearest = np.minimum(nearest, np.hypot(*(places - stops[-1]).T))
     corners = shortest_round(roads, [(int(row), int(col)) for row, col in stops])
     return grid.xy_to_metres(grid.pixel_to_xy(corners))
-
-
-def _in_largest_part(roads: Roads) -> NDArray[np.bool_]:
-    """The points that `shortest_round` can join: those of the largest connected part of the net."""
-    _, part_of = connected_components(roads.net, directed=False)
-    return np.asarray(part_of == np.bincount(part_of).argmax())
 
 
 def _within(reach: float, landmarks: NDArray[np.bool_]) -> NDArray[np.bool_]:

@@ -36,7 +36,7 @@ from priorlab.interchange.images import read_drawing
 from priorlab.study.drawing_suite import METHODS, Found
 from priorlab.study.ranking import Ranked, rank_pixels, ranking_line
 
-WindowsAre = Literal["wall", "empty"]
+MarkedAs = Literal["wall", "empty"]
 """What the person who marked the walls took windows for; our own truths take their ink for wall."""
 
 Reader = Method | Callable[..., Found]
@@ -53,7 +53,7 @@ class MarkedPlan:
     drawing: Drawing
     truth: Truth
     tolerance: float
-    windows: WindowsAre = "empty"
+    windows: MarkedAs = "empty"
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ def marked_plans(folder: str | Path) -> list[str]:
     return sorted(path.name.removesuffix("_walls.png") for path in folder.glob("*_walls.png"))
 
 
-def read_marked_plan(folder: str | Path, name: str, tolerance: float | None = None, windows: WindowsAre = "empty") -> MarkedPlan:
+def read_marked_plan(folder: str | Path, name: str, tolerance: float | None = None, windows: MarkedAs = "empty") -> MarkedPlan:
     """A drawing, its wall mask and its ignore mask.
 
     Parameters
@@ -149,7 +149,7 @@ def found_by(reader: Reader, drawing: Drawing, darkness: int | None = None) -> F
     return reader(drawing, **options)
 
 
-def mask_of(found: Found, windows: WindowsAre = "wall") -> NDArray[np.bool_]:
+def mask_of(found: Found, windows: MarkedAs = "wall") -> NDArray[np.bool_]:
     """(height, width) walls of what was found, with the ink of its windows or without."""
     if isinstance(found, np.ndarray):
         return found.astype(bool)
@@ -213,7 +213,7 @@ def _row(plan: MarkedPlan, title: str, reader: Reader, darkness: int | None) -> 
     return PlanRow(plan.drawing.name, title, score, near_precision, near_recall, darkness, seconds, ranked)
 
 
-def ranked_by(found: Found, truth: Truth, windows: WindowsAre = "wall") -> Ranked | None:
+def ranked_by(found: Found, truth: Truth, windows: MarkedAs = "wall") -> Ranked | None:
     """The detected pixels by confidence, if what was found has one."""
     return rank_pixels(found.confidence, mask_of(found, windows), truth) if isinstance(found, Extraction) else None
 
