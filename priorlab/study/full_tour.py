@@ -24,8 +24,8 @@ def full_tour(
 
     The stops are found one by one, each the place farthest from all others; `plan_tour` visits the middles of rooms alone,
     which leaves most walls of a large office beyond the reach of a Kinect. A robot that must find itself by what it sees is not
-    driven across the middle of a hall: with `near_m`, stops and ways keep so near to `landmarks` wherever they can, and places farther
-    off need no stop.
+    driven across the middle of a hall: with `near_m`, stops and ways keep so near to `landmarks` wherever they can, and places
+    farther off need no stop.
 
     Parameters
     ----------
