@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from priorlab.core.drawing import Door
 from priorlab.drawing.runs import gaps_between, label_runs, run_lengths
-from priorlab.drawing.strokes import common_thickness, opened, thinner_run
+from priorlab.drawing.strokes import common_thickness, disc, opened, thinner_run
 from priorlab.drawing.wall_sizes import WallSizes
 from priorlab.drawing.weight import SLENDER, Hypothesis, with_openings
 
@@ -65,8 +65,7 @@ def with_heavy_ink(walls: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[
     (True, False)
     """
     side = max(TELLING, int(np.ceil(AS_THICK * common_thickness(walls))))
-    disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side | 1, side | 1))
-    thick = cv2.morphologyEx(np.pad(ink, side).astype(np.uint8), cv2.MORPH_OPEN, disc)[side:-side, side:-side].astype(bool)
+    thick = cv2.morphologyEx(np.pad(ink, side).astype(np.uint8), cv2.MORPH_OPEN, disc(side))[side:-side, side:-side].astype(bool)
     n_parts, parts = cv2.connectedComponents(ink.astype(np.uint8), connectivity=8)
     held = np.bincount(parts[walls & ink], minlength=n_parts) > 0
     held[0] = False

@@ -63,6 +63,19 @@ def opened(ink: NDArray[np.bool_], side: int) -> NDArray[np.bool_]:
     return np.asarray(cv2.dilate(eroded, square, anchor=high), dtype=bool)
 
 
+def disc(side: int) -> NDArray[np.uint8]:
+    """Structuring element: the pixels of a disc about `side` pixels wide, the same turned and mirrored.
+
+    `cv2.MORPH_ELLIPSE` is wider than high, and a turned sheet would be read otherwise.
+
+    >>> disc(4).tolist()
+    [[0, 0, 1, 0, 0], [0, 1, 1, 1, 0], [1, 1, 1, 1, 1], [0, 1, 1, 1, 0], [0, 0, 1, 0, 0]]
+    """
+    radius = side // 2
+    along = np.arange(-radius, radius + 1) ** 2
+    return (along[:, None] + along[None, :] <= radius**2).astype(np.uint8)
+
+
 def thinner_run(mask: NDArray[np.bool_]) -> NDArray[np.int32]:
     """The shorter of the horizontal and the vertical run through every pixel: how thick a wall is there."""
     return np.minimum(run_lengths(mask, 0), run_lengths(mask, 1))
