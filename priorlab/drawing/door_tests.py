@@ -16,7 +16,7 @@ from priorlab.drawing.method import Method
 from priorlab.drawing.outer_walls import extreme_corners
 from priorlab.drawing.overlap import dark_share, overlap_with_kept
 from priorlab.drawing.preprocessing import Sheet
-from priorlab.drawing.symbol import WORTH, Symbols, ink_beside, is_box, read_symbols
+from priorlab.drawing.symbol import Symbols, ink_beside, is_box, read_symbols
 
 SURE_SUPPORT = 0.97
 """Share of wall ink beyond both jambs of a door without an arc."""
@@ -111,7 +111,7 @@ class Shortlist:
     """Candidates that are still in, (K, 3) corners: the tip and the two ends of the open side."""
 
     scene: Scene
-    triples: NDArray[np.int64]
+    triples: NDArray[np.int32]
 
     @property
     def triangles(self) -> NDArray[np.float64]:
@@ -121,8 +121,9 @@ class Shortlist:
     @cached_property
     def symbols(self) -> Symbols:
         """The triangles read as doors."""
-        thorough = self.scene.thorough or self.scene.method.min_leaf < WORTH
-        return read_symbols(self.scene.widened, self.triangles, thorough)
+        method = self.scene.method
+        least = (0.0, 0.0) if self.scene.thorough else (method.min_leaf, method.min_arc)
+        return read_symbols(self.scene.widened, self.triangles, *least)
 
     @cached_property
     def jambs(self) -> Jambs:
@@ -299,6 +300,10 @@ ASK: Mapping[str, Callable[[Shortlist], tuple[Measure, ...]]] = {
     "outer walls": outer_walls,
 }
 """The tests by name, in their order."""
+
+
+ON_ITS_OWN = ("connectivity", "geometry", "orientation", "symbol")
+"""Tests that decide about a candidate whatever the others are; they come before those that compare."""
 
 
 def passed(measures: tuple[Measure, ...]) -> NDArray[np.bool_]:

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.drawing import Door, Drawing
-from priorlab.drawing.candidates import DOOR, TESTS, DoorSearch, asked_tests, wedges
+from priorlab.drawing.candidates import DOOR, TESTS, DoorSearch, asked_tests, first_corners, wedges
 from priorlab.drawing.connectivity import connect
-from priorlab.drawing.door_tests import ASK, Scene, Shortlist, passed
+from priorlab.drawing.door_tests import ASK, ON_ITS_OWN, Scene, Shortlist, passed
 from priorlab.drawing.folding import folding_doors
 from priorlab.drawing.geometry import tilts
 from priorlab.drawing.jamb_walls import meets_other_leaf
@@ -50,15 +50,20 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
     longest = method.max_side_share * float(np.sqrt(sheet.lines.size))
     ink = walkable(sheet, method)
     connected = connect(ink, xy, method.min_side / 2, longest * np.sqrt(2), method.reach)
+    n_tried = first_corners(connected)
+    connected[n_tried:] = connected[:, n_tried:] = False
     candidates = wedges(connected)
     if method.lone_leaves:
         near_ink = cv2.dilate(ink.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
         straight = straight_pairs(near_ink, xy, connected, method.min_side, longest, method.min_leaf)
         candidates = np.vstack([candidates, leaf_candidates(straight, connected, xy, method.isosceles_ratio)])
     scene = Scene(sheet, method, xy, connected)
-    reasons = np.full(len(candidates), DOOR, dtype=np.int8)
-    alive, some = np.arange(len(candidates)), Shortlist(scene, candidates)
+    reasons = asked_one_by_one(scene, candidates)
+    alive = np.flatnonzero(reasons == DOOR)
+    some = Shortlist(scene, candidates[alive])
     for test in asked_tests(method):
+        if test in ON_ITS_OWN:
+            continue
         if test == "overlap" and method.keep_best:
             order = np.argsort(-some.quality, kind="stable")
             alive, some = alive[order], some[order]
@@ -71,6 +76,7 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
         doors += sheet.doors_to_input(folding_doors(scene, near_ink, some.triangles))
     return DoorSearch(
         corners=points,
+        n_tried=n_tried,
         edges=np.argwhere(np.triu(connected)),
         candidates=candidates,
         reasons=reasons,
@@ -78,6 +84,22 @@ def search_doors(sheet: Sheet, corners: ArrayLike, method: Method = ROBUST) -> D
         sheet=sheet,
         method=method,
     )
+
+
+def asked_one_by_one(scene: Scene, candidates: NDArray[np.int32]) -> NDArray[np.int8]:
+    """(K,) what each candidate fails of the tests `ON_ITS_OWN`, or `DOOR`; a block at a time, as there may be millions."""
+    reasons = np.full(len(candidates), DOOR, dtype=np.int8)
+    for begin in range(0, len(candidates), BLOCK):
+        alive = np.arange(begin, min(begin + BLOCK, len(candidates)))
+        for test in (test for test in asked_tests(scene.method) if test in ON_ITS_OWN):
+            keep = passed(ASK[test](Shortlist(scene, candidates[alive])))
+            reasons[alive[~keep]] = TESTS.index(test)
+            alive = alive[keep]
+    return reasons
+
+
+BLOCK = 250_000
+"""Candidates that are measured at once."""
 
 
 def walkable(sheet: Sheet, method: Method) -> NDArray[np.bool_]:

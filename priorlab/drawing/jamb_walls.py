@@ -127,20 +127,26 @@ def in_line_with_walls(
     found = np.ones(len(one), dtype=bool)
     for jamb, far in ((one, other), (other, one)):
         some = np.flatnonzero(found)
-        lanes = jamb_points(jamb[some], far[some], WALL_REACH)
-        ends = np.asarray(look_up(walls, lanes[:, :, 1::5]).all(axis=2)).any(axis=1)  # most fail at once
-        found[some[~ends]] = False
-        found[some[ends]] = look_up(walls, lanes[ends]).mean(axis=2).max(axis=1) >= least
+        few = jamb_points(jamb[some], far[some], WALL_REACH, np.s_[1::5])
+        dark = np.asarray(look_up(walls, few).all(axis=2)).any(axis=1)  # most fail at once
+        found[some[~dark]] = False
+        some = some[dark]
+        found[some] = look_up(walls, jamb_points(jamb[some], far[some], WALL_REACH)).mean(axis=2).max(axis=1) >= least
     return found
 
 
-def jamb_points(jamb: NDArray[np.float64], other: NDArray[np.float64], far: float = 0.10) -> NDArray[np.float64]:
-    """(K, 5, 12, 2) points of five parallel lines that leave each jamb, away from the other, for a share of the opening."""
+def jamb_points(
+    jamb: NDArray[np.float64], other: NDArray[np.float64], far: float = 0.10, steps: slice = np.s_[:]
+) -> NDArray[np.float64]:
+    """(K, 5, 12, 2) points of five parallel lines that leave each jamb, away from the other, for a share of the opening.
+
+    `steps` picks some of the twelve.
+    """
     out, side, length = _directions(jamb, other)
-    reach = np.linspace(0.0, 1.0, 12)[None, :] * np.maximum(4.0, far * length) + 1.0
-    unit = np.maximum(1.0, BESIDE * length)
-    lines = [(jamb + shift * unit * side)[:, None, :] + reach[..., None] * out[:, None, :] for shift in (-2, -1, 0, 1, 2)]
-    return np.stack(lines, axis=1)
+    reach = np.linspace(0.0, 1.0, 12)[None, steps] * np.maximum(4.0, far * length) + 1.0  # (K, steps)
+    aside = np.arange(-2, 3) * np.maximum(1.0, BESIDE * length)  # (K, 5)
+    begins = jamb.T[..., None] + aside * side.T[..., None]  # (2, K, 5)
+    return np.moveaxis(begins[..., None] + (reach * out.T[..., None])[:, :, None, :], 0, -1)
 
 
 def line_thickness(

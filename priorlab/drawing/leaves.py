@@ -39,7 +39,7 @@ def straight_pairs(
 
 def leaf_candidates(
     straight: NDArray[np.bool_], walked: NDArray[np.bool_], points: NDArray[np.float64], ratio: float
-) -> NDArray[np.int64]:
+) -> NDArray[np.int32]:
     """Tips and the two ends of the open side, of leaves with one side drawn: (K, 3).
 
     Parameters
@@ -54,7 +54,7 @@ def leaf_candidates(
     >>> sorted(leaf_candidates(line, line, points, 0.9).tolist())
     [[2, 0, 1]]
     """
-    found = [np.empty((0, 3), dtype=np.int64)]
+    found = [np.empty((0, 3), dtype=np.int32)]
     for hinge in range(len(points)):
         tips = np.flatnonzero(straight[hinge])
         if not tips.size:
@@ -70,5 +70,5 @@ def leaf_candidates(
         wedge = walked[hinge, tips][:, None] & walked[np.ix_(tips, strikes)]
         fits = (shorter > ratio * longer) & opened & ~wedge
         tip, strike = np.nonzero(fits)
-        found.append(np.column_stack([tips[tip], np.full(tip.size, hinge), strikes[strike]]))
+        found.append(np.column_stack([tips[tip], np.full(tip.size, hinge), strikes[strike]]).astype(np.int32))
     return np.concatenate(found)

@@ -88,58 +88,58 @@ class Symbols:
         return Symbols(**{name: getattr(self, name)[keep] for name in self.__dataclass_fields__})
 
 
-def read_symbols(lines: NDArray[np.bool_], triangles: NDArray[np.float64], thorough: bool = True) -> Symbols:
+def read_symbols(
+    lines: NDArray[np.bool_], triangles: NDArray[np.float64], min_leaf: float = 0.0, min_swing: float = 0.0
+) -> Symbols:
     """Measure triangles as doors; of the two ends of the open side the likelier one becomes the hinge.
 
     Parameters
     ----------
     lines : (height, width) bool, all ink, widened by a pixel so that corners may lie beside it
     triangles : (K, 3, 2) tip and the two ends of the open side
-    thorough : measure hopeless ones too; else everything but the leaf stays 0 where that has less ink than `WORTH`
+    min_leaf, min_swing : with less ink along the leaf, or along arc and chord unless that is bare, a triangle is hopeless: what
+        comes after it in `Symbols` is not measured and stays 0
     """
     tip, first, second = triangles[:, 0], triangles[:, 1], triangles[:, 2]
-    one, other = _likeness(lines, tip, first, second), _likeness(lines, tip, second, first)
-    is_first = (one >= other)[:, None]
-    hinge, strike = np.where(is_first, first, second), np.where(is_first, second, first)
-    leaf = _leaf(lines, hinge, tip)
-    some = np.arange(len(tip)) if thorough else np.flatnonzero(leaf >= WORTH)
-    found = {name: np.zeros(len(tip)) for name in _DRAWN}
-    for name, values in _drawn(lines, tip[some], hinge[some], strike[some]).items():
-        found[name][some] = values
-    leaf_length, open_length = np.hypot(*(tip - hinge).T), np.hypot(*(strike - hinge).T)
-    equal = np.minimum(leaf_length, open_length) / np.maximum(np.maximum(leaf_length, open_length), 1e-9)
-    return Symbols(hinge=hinge, strike=strike, tip=tip, leaf=leaf, equal=equal, **found)
+    one, other = (look_up(lines, points_between(end, tip)).mean(axis=1) for end in (first, second))
+    is_first = one + _alike(tip, first, second) >= other + _alike(tip, second, first)
+    some = np.flatnonzero(np.maximum(one, other) >= min_leaf)
+    is_first[some] = _likeness(lines, one[some], tip[some], first[some], second[some]) >= _likeness(
+        lines, other[some], tip[some], second[some], first[some]
+    )
+    hinge, strike = np.where(is_first[:, None], first, second), np.where(is_first[:, None], second, first)
+    leaf = np.where(is_first, one, other)
+    unread = {name: np.zeros(len(tip)) for name in ("arc", "chord", "open_ink", "crossed", "beyond")}
+    found = Symbols(hinge=hinge, strike=strike, tip=tip, leaf=leaf, equal=_alike(tip, hinge, strike), **unread)
+    some = np.flatnonzero(leaf >= min_leaf)
+    found.arc[some] = _best_arc(lines, hinge[some], tip[some], strike[some])
+    found.chord[some] = look_up(lines, points_between(tip[some], strike[some])).mean(axis=1)
+    some = some[((found.swing >= min_swing) | found.is_alone)[some]]
+    _read_surroundings(lines, found, some)
+    return found
 
 
-def _leaf(lines: NDArray[np.bool_], hinge: NDArray, tip: NDArray) -> NDArray:
-    """(K,) share of ink along the leaf."""
-    return np.asarray(look_up(lines, points_between(hinge, tip)).mean(axis=1))
+def _alike(tip: NDArray, hinge: NDArray, strike: NDArray) -> NDArray:
+    """(K,) shorter over longer of leaf and open side."""
+    leaf, opening = np.hypot(*(tip - hinge).T), np.hypot(*(strike - hinge).T)
+    return np.asarray(np.minimum(leaf, opening) / np.maximum(np.maximum(leaf, opening), 1e-9))
 
 
-def _likeness(lines: NDArray[np.bool_], tip: NDArray, hinge: NDArray, strike: NDArray) -> NDArray:
-    """(K,) how likely this end of the open side is the hinge: leaf, arc and equal lengths, each 0 to 1."""
-    leaf = _leaf(lines, hinge, tip)
-    leaf_length, open_length = np.hypot(*(tip - hinge).T), np.hypot(*(strike - hinge).T)
-    likely = leaf + np.minimum(leaf_length, open_length) / np.maximum(np.maximum(leaf_length, open_length), 1e-9)
+def _likeness(lines: NDArray[np.bool_], leaf: NDArray, tip: NDArray, hinge: NDArray, strike: NDArray) -> NDArray:
+    """(K,) how likely this end of the open side is the hinge: leaf, equal lengths and arc, each 0 to 1."""
+    likely = leaf + _alike(tip, hinge, strike)
     some = np.flatnonzero(leaf >= WORTH)
     likely[some] += look_up(lines, arc_points(hinge[some], tip[some], strike[some])).mean(axis=1)
     return likely
 
 
-_DRAWN = ("arc", "chord", "open_ink", "crossed", "beyond")
-"""What is read of a symbol beside its leaf."""
-
-
-def _drawn(lines: NDArray[np.bool_], tip: NDArray, hinge: NDArray, strike: NDArray) -> dict[str, NDArray]:
-    """All measures of `_DRAWN`, by name."""
-    lanes = _open_lanes(lines, hinge, strike)
-    return {
-        "arc": _best_arc(lines, hinge, tip, strike),
-        "chord": look_up(lines, points_between(tip, strike)).mean(axis=1),
-        "open_ink": lanes.min(axis=0),
-        "crossed": _open_lanes(lines, hinge, strike, 0.22).max(axis=0),  # a leaf half open leaves the hinge between them
-        "beyond": np.maximum(_goes_on(lines, arc_beyond, hinge, tip, strike), _goes_on(lines, leaf_beyond, hinge, tip, strike)),
-    }
+def _read_surroundings(lines: NDArray[np.bool_], found: Symbols, some: NDArray[np.intp]) -> None:
+    """Fill in the open side, and what goes on beyond the tip, of some symbols."""
+    hinge, tip, strike = found.hinge[some], found.tip[some], found.strike[some]
+    found.open_ink[some] = _open_lanes(lines, hinge, strike).min(axis=0)
+    found.crossed[some] = _open_lanes(lines, hinge, strike, 0.22).max(axis=0)  # a leaf half open leaves the hinge between them
+    ways = (arc_beyond, leaf_beyond)
+    found.beyond[some] = np.maximum(*(_goes_on(lines, way, hinge, tip, strike) for way in ways))
 
 
 def is_box(lines: NDArray[np.bool_], symbols: Symbols, least: float = 0.8) -> NDArray[np.bool_]:
@@ -182,8 +182,8 @@ BESIDE_LEAF = 0.16
 
 def points_between(start: NDArray, end: NDArray, margin: float = 0.05) -> NDArray:
     """(K, N_SAMPLES, 2) points from start to end, a margin left out at both ends."""
-    share = np.linspace(margin, 1 - margin, N_SAMPLES)[None, :, None]
-    return start[:, None, :] + share * (end - start)[:, None, :]
+    share = np.linspace(margin, 1 - margin, N_SAMPLES)
+    return _xy_last(start.T[..., None] + share * (end - start).T[..., None])
 
 
 def arc_points(centre: NDArray, start: NDArray, end: NDArray) -> NDArray:
@@ -194,7 +194,7 @@ def arc_points(centre: NDArray, start: NDArray, end: NDArray) -> NDArray:
     share = np.linspace(0.05, 0.95, N_SAMPLES)[None, :]
     angle = begin[:, None] + share * turn[:, None]
     radius = (1 - share) * np.hypot(*first.T)[:, None] + share * np.hypot(*last.T)[:, None]
-    return centre[:, None, :] + radius[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=2)
+    return _xy_last(centre.T[..., None] + radius * np.stack([np.cos(angle), np.sin(angle)]))
 
 
 def arc_beyond(hinge: NDArray, tip: NDArray, strike: NDArray, aside: float = 0.0) -> NDArray:
@@ -204,15 +204,20 @@ def arc_beyond(hinge: NDArray, tip: NDArray, strike: NDArray, aside: float = 0.0
     turn = (np.arctan2(last[:, 1], last[:, 0]) - begin + np.pi) % (2 * np.pi) - np.pi
     angle = begin[:, None] - np.sign(turn)[:, None] * np.radians(np.linspace(*BEYOND_ARC, N_SAMPLES))[None, :]
     radius = (1 + aside) * np.hypot(*first.T)[:, None]
-    return hinge[:, None, :] + radius[..., None] * np.stack([np.cos(angle), np.sin(angle)], axis=2)
+    return _xy_last(hinge.T[..., None] + radius * np.stack([np.cos(angle), np.sin(angle)]))
 
 
 def leaf_beyond(hinge: NDArray, tip: NDArray, strike: NDArray, aside: float = 0.0) -> NDArray:
     """(K, N_SAMPLES, 2) points where the line of a leaf goes on beyond its tip; `aside` is a share of its length to the left."""
-    share = np.linspace(*BEYOND_LEAF, N_SAMPLES)[None, :, None]
+    share = np.linspace(*BEYOND_LEAF, N_SAMPLES)
     leaf = tip - hinge
     left = np.stack([-leaf[:, 1], leaf[:, 0]], axis=1)
-    return (hinge + aside * left)[:, None, :] + share * leaf[:, None, :]
+    return _xy_last((hinge + aside * left).T[..., None] + share * leaf.T[..., None])
+
+
+def _xy_last(points: NDArray) -> NDArray:
+    """(2, K, N) points, as they are quickest to reckon with, as (K, N, 2)."""
+    return np.moveaxis(points, 0, -1)
 
 
 def _best_arc(lines: NDArray[np.bool_], hinge: NDArray, tip: NDArray, strike: NDArray) -> NDArray:
