@@ -111,7 +111,7 @@ class Shortlist:
     """Candidates that are still in, (K, 3) corners: the tip and the two ends of the open side."""
 
     scene: Scene
-    triples: NDArray[np.int32]
+    triples: NDArray[np.integer]
 
     @property
     def triangles(self) -> NDArray[np.float64]:

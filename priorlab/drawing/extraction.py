@@ -16,6 +16,7 @@ from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.photograph import is_photograph
 from priorlab.drawing.pieces import WallPiece
 from priorlab.drawing.preprocessing import LEAST_CONTRAST, prepare
+from priorlab.drawing.remarks import lost_stage, remarks
 from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.walls import WallSearch, as_walls, search_walls
 from priorlab.drawing.weight import Hypothesis
@@ -132,7 +133,7 @@ def extract_walls(drawing: Drawing, method: Method = ROBUST, progress: Callable[
     wall_search = search_walls(sheet, door_search.doors, corners, method)
     say("done", 1.0)
     walls = as_walls(drawing, wall_search.walls, wall_search.windows)
-    lost_at = None if walls.mask.any() else _lost_at(sheet, door_search, method)
+    lost_at = None if walls.mask.any() else lost_stage(sheet, door_search, method)
     return Extraction(
         drawing=drawing,
         method=method,
@@ -140,7 +141,7 @@ def extract_walls(drawing: Drawing, method: Method = ROBUST, progress: Callable[
         door_search=door_search,
         wall_search=wall_search,
         lost_at=lost_at,
-        notes=(unfit,) if unfit else _notes(drawing, sheet, door_search, wall_search, lost_at, method),
+        notes=(unfit,) if unfit else remarks(drawing, sheet, door_search, wall_search, lost_at, method),
     )
 
 
@@ -172,43 +173,3 @@ def without_ink(sheet: Sheet) -> Sheet:
 
 SMALLEST_SIDE = 24
 """An image with a shorter side shows no building, pixels."""
-
-
-def _lost_at(sheet: Sheet, search: DoorSearch, method: Method) -> str:
-    """The stage after which nothing was left."""
-    if not sheet.lines.any():
-        return "ink"
-    if not len(search.corners):
-        return "corners"
-    if search.doors or method.sources == "both":
-        return "walls"
-    left = search.funnel
-    return next((name for name in left if left[name] == 0), "walls")
-
-
-def _notes(
-    drawing: Drawing, sheet: Sheet, doors: DoorSearch, walls: WallSearch, lost_at: str | None, method: Method
-) -> tuple[str, ...]:
-    """What a reader should know about this result, a sentence each."""
-    name = drawing.name
-    notes = []
-    if lost_at == "ink":
-        return (f"{name} shows no ink: nothing stands out from its paper.",)
-    if sheet.inverted:
-        notes.append(f"{name} is drawn light on dark paper; the light lines were read as ink.")
-    if sheet.turn is not None and sheet.turn.degrees:
-        notes.append(f"{name} lies askew by {-sheet.turn.degrees:.1f} degrees: it was turned straight to be read.")
-    if sheet.scale > 1:
-        notes.append(f"{name} is small ({max(drawing.shape)} px): it was worked on at {sheet.scale} times its size.")
-    if not doors.doors:
-        left = doors.funnel
-        last = next((test for test in left if left[test] == 0), "corners")
-        notes.append(f"No door was found: of {len(doors.corners)} corners and {left['wedges']} candidates none passed '{last}'.")
-        if max(drawing.shape) < method.upscale_below:
-            notes.append(f"Doors of {name} may be too small to be told: scan it so that a door is 35 pixels wide or more.")
-    if lost_at is not None:
-        seeds = "no door to grow walls from" if method.sources == "doors" else "no piece of ink looks like a wall"
-        notes.append(f"No wall was found, lost at '{lost_at}': {seeds}.")
-    elif walls.chosen != "doors":
-        notes.append(f"Walls were chosen by line weight: {walls.chosen}.")
-    return tuple(notes)

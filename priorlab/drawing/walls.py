@@ -8,8 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from priorlab.core.checks import check_record
 from priorlab.core.drawing import EMPTY, WALL, WINDOW, Door, Drawing, Walls
 from priorlab.drawing.corners import corners_of
+from priorlab.drawing.given_doors import check_doors
 from priorlab.drawing.joined import between_ends
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.outer_walls import outer_walls
@@ -62,7 +64,14 @@ def detect_walls(drawing: Drawing, doors: Sequence[Door], method: Method = ROBUS
     Returns
     -------
     labels in the drawing's own pixels; all empty when there is nothing to begin with
+
+    Raises
+    ------
+    ValueError
+        When something else stands among the doors, or a door that is not on the drawing, or wider than half of it.
     """
+    check_record("drawing", drawing, Drawing)
+    check_doors(doors, drawing.shape)
     sheet = prepare(drawing, method)
     found = search_walls(sheet, doors, corners_of(sheet, method.n_corners, method), method)
     return as_walls(drawing, found.walls, found.windows)
@@ -70,6 +79,8 @@ def detect_walls(drawing: Drawing, doors: Sequence[Door], method: Method = ROBUS
 
 def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float64], method: Method = ROBUST) -> WallSearch:
     """`detect_walls`, with everything it saw. `corners` are in working pixels, `doors` in the drawing's own."""
+    if not sheet.lines.any():
+        return _nothing(sheet, method)
     scene = scene_of(sheet, doors, method)
     outer = outer_walls(scene.ink, corners, method.outer_tolerance)
     by_doors_alone = method.sources == "doors"
@@ -101,6 +112,19 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         walls=found,
         pieces=wall_pieces(found, as_input, worths, windows),
         windows=windows,
+    )
+
+
+def _nothing(sheet: Sheet, method: Method) -> WallSearch:
+    """What a sheet without ink has."""
+    empty = np.zeros(sheet.input_shape, dtype=bool)
+    return WallSearch(
+        outer=empty,
+        sweeps=(empty,) * (method.n_sweeps + 1),
+        hypotheses=(Hypothesis("doors", empty, 0.0),),
+        chosen="doors",
+        walls=empty,
+        windows=None if method.sources == "doors" else empty,
     )
 
 

@@ -5,10 +5,14 @@ import numpy as np
 import pytest
 
 from priorlab.buildings.floor_plans import load_floor_plan
-from priorlab.core.drawing import Drawing
+from priorlab.core.drawing import Door, Drawing
+from priorlab.drawing.candidates import TESTS, first_corners, wedges
 from priorlab.drawing.extraction import extract_walls, why_unfit
 from priorlab.drawing.method import ROBUST, THESIS
 from priorlab.drawing.photograph import continuous_share, is_photograph, paper_share
+from priorlab.drawing.pieces import WallPiece
+from priorlab.drawing.remarks import WHAT_FAILED, about_walls
+from priorlab.drawing.walls import detect_walls
 
 BOTH = pytest.mark.parametrize("method", [THESIS, ROBUST], ids=["THESIS", "ROBUST"])
 
@@ -114,3 +118,76 @@ def test_extract_walls_upside_down_finds_the_same(room):
 
 def test_why_unfit_is_silent_about_a_drawing(room):
     assert why_unfit(room.drawing) == ""
+
+
+def test_extract_walls_of_stripes_says_that_no_building_has_so_much_wall():
+    y, x = np.mgrid[:100, :1500]
+    found = extract_walls(Drawing(np.where((x + y) % 12 < 2, 0, 255).astype(np.uint8), name="stripes"))
+    assert found.notes[0].endswith("0 corners, there is no corner of long lines ('corners').")
+    assert found.notes[2].startswith("99 % of stripes was taken for wall, more than any building has")
+    assert found.notes[3].startswith("No piece of wall in stripes is sure, the surest is 0.50")
+
+
+def test_about_walls_doubts_what_is_unsure():
+    mask = np.ones((4, 30), dtype=bool)
+    unsure, sure = (WallPiece((0, 0, 30, 4), mask, confidence, 1.0, 1.0, 1.0) for confidence in (0.41, 0.85))
+    assert about_walls("attic", 0.1, [unsure]) == [
+        "No piece of wall in attic is sure, the surest is 0.41: look at the picture before you use them."
+    ]
+    assert about_walls("attic", 0.1, [unsure, sure]) == []
+
+
+def test_every_stage_of_the_search_has_a_sentence():
+    assert set(WHAT_FAILED) == {"corners", "wedges", *TESTS}
+
+
+def test_extract_walls_says_why_there_is_no_door_in_words():
+    box = np.full((300, 400), 255, dtype=np.uint8)
+    cv2.rectangle(box, (40, 40), (360, 260), 0, 8)
+    assert extract_walls(Drawing(box, name="box")).notes[0] == (
+        "No door was found: of 0 candidates at 16 corners, no two lines meet in a corner as a leaf and its swing do ('wedges')."
+    )
+
+
+def test_extract_walls_of_graph_paper_says_that_not_all_corners_were_tried(monkeypatch):
+    paper = np.full((300, 400), 255, dtype=np.uint8)
+    paper[::10] = paper[:, ::10] = 0
+    everything = extract_walls(Drawing(paper, name="graph paper"))
+    assert everything.door_search.n_tried == len(everything.corners)
+    monkeypatch.setattr("priorlab.drawing.doors.first_corners", lambda connected: first_corners(connected, 2_000))
+    bounded = extract_walls(Drawing(paper, name="graph paper"))
+    n_tried = bounded.door_search.n_tried
+    assert 3 <= n_tried < len(bounded.corners) == len(everything.corners)
+    assert bounded.door_search.funnel["wedges"] < 20_000 and bounded.door_search.edges.max() < n_tried
+    assert any(f"among the {n_tried} strongest of {len(bounded.corners)} corners" in note for note in bounded.notes)
+
+
+@pytest.mark.parametrize("most", [0, 1, 40, 500, 10**6])
+def test_first_corners_are_as_many_as_the_bound_lets(most):
+    graph = np.random.default_rng(4).random((40, 40)) < 0.3
+    graph = np.triu(graph, 1) | np.triu(graph, 1).T
+    n = first_corners(graph, most)
+    assert len(wedges(graph[:n, :n])) <= most
+    assert n == 40 or len(wedges(graph[: n + 1, : n + 1])) > most
+
+
+@pytest.mark.parametrize(
+    ("door", "words"),
+    [
+        ("x", "must be a Door, got str"),
+        (Door((np.nan, 1), (20, 1), (1, 20)), "must lie on the drawing"),
+        (Door((1e12, 1), (20, 1), (1, 20)), "must lie on the drawing"),
+        (Door((0, 0), (400, 0), (0, 400)), "must be at most half as wide"),
+        (Door(("a", 1), (20, 1), (1, 20)), "must have three points of two numbers"),
+    ],
+)
+@BOTH
+def test_detect_walls_names_the_door_that_is_none(room, method, door, words):
+    fine = Door((100, 100), (140, 100), (100, 140))
+    with pytest.raises(ValueError, match=rf"doors\[1\] {words}"):
+        detect_walls(room.drawing, [fine, door], method)
+
+
+def test_detect_walls_asks_for_doors_in_a_row(room):
+    with pytest.raises(ValueError, match="doors must be a Sequence, got NoneType"):
+        detect_walls(room.drawing, None)
