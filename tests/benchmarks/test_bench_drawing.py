@@ -27,16 +27,16 @@ SIZES = {(560, 900): "office_section_a", (2000, 2500): "office_wing"}
 AIMS_S = {("THESIS", 560): 1, ("ROBUST", 560): 3, ("ROBUST", 2000): 15}
 
 MEASURE_MEMORY = """
-import re, sys
+import re, sys, time
 import numpy as np
 from priorlab.core.drawing import Drawing
 from priorlab.drawing.extraction import extract_walls
 from priorlab.drawing.method import ROBUST, THESIS
 peak = lambda: int(re.search("VmHWM:\\s*([0-9]+) kB", open("/proc/self/status").read())[1])
 grey = np.load(sys.argv[1])
-before = peak()
+before, start = peak(), time.perf_counter()
 extract_walls(Drawing(grey), {"THESIS": THESIS, "ROBUST": ROBUST}[sys.argv[2]])
-print(before, peak())
+print(before / 1024, peak() / 1024, time.perf_counter() - start)
 """
 
 
@@ -64,6 +64,17 @@ def drawn(name, shape):
     return Drawing(grey, name=name)
 
 
+def memory_mb(drawing, method, folder):
+    """Peak memory of a process of its own before and after a drawing is read, and the seconds; nan where the system tells none."""
+    if not Path("/proc/self/status").is_file():
+        return math.nan, math.nan, math.nan
+    file = folder / "drawing.npy"
+    np.save(file, drawing.grey)
+    run = [sys.executable, "-c", MEASURE_MEMORY, str(file), method]
+    printed = subprocess.run(run, capture_output=True, check=True, text=True).stdout
+    return [float(number) for number in printed.split()]
+
+
 def by_graph(connected):
     """Only wedges of two connected sides whose third side is open."""
     found = wedges(connected)
@@ -84,23 +95,32 @@ def test_bench_extraction(tmp_path, large):
     print(f"\n{'Walls from a drawing':<34}{'s':>8}{'aim, s':>8}{'peak, MB':>10}{'of it for the walls, MB':>25}")
     for shape, name in SIZES.items():
         drawing = large if shape[0] == 2000 else drawn(name, shape)
-        file = tmp_path / f"{name}.npy"
-        np.save(file, drawing.grey)
         for method in (THESIS, ROBUST):
             took, found = seconds(
                 lambda drawing=drawing, method=method: extract_walls(drawing, method), 3 if shape[0] < 2000 else 1
             )
-            peak, grown = "-", "-"
-            if Path("/proc/self/status").is_file():  # a process of its own: its peak is of nothing else
-                run = [sys.executable, "-c", MEASURE_MEMORY, str(file), method.name]
-                printed = subprocess.run(run, capture_output=True, check=True, text=True).stdout
-                before, after = (int(kilobytes) / 1024 for kilobytes in printed.split())
-                peak, grown = f"{after:.0f}", f"{after - before:.0f}"
-                assert after < 1024
+            before, after, _ = memory_mb(drawing, method.name, tmp_path)
+            peak, grown = f"{after:.0f}", f"{after - before:.0f}"
+            assert not after >= 1024
             aim = AIMS_S.get((method.name, shape[0]), "")
             title = f"{method.name}, {shape[0]:,} x {shape[1]:,} px, {len(found.doors)} doors"
             print(f"  {title:<32}{took:>8.2f}{aim:>8}{peak:>10}{grown:>25}")
             assert found.walls.mask.any()
+
+
+def test_bench_patterns(tmp_path):
+    """Every corner is connected with hundreds of others: what is no drawing must neither fill the memory nor take for ever."""
+    y, x = np.mgrid[:700, :800]
+    patterns = {
+        "graph paper": (x % 10 == 0) | (y % 10 == 0),
+        "crossed diagonals": ((x + y) % 12 == 0) | ((x - y) % 12 == 0),
+        "stripes": (x + y) % 10 == 0,
+    }
+    print(f"\n{'700 x 800 px of a pattern':<30}{'time, s':>9}{'peak, MB':>10}")
+    for name, ink in patterns.items():
+        _, peak, took = memory_mb(Drawing(np.where(ink, 0, 255).astype(np.uint8)), "ROBUST", tmp_path)
+        print(f"  {name:<28}{took:>9.1f}{peak:>10.0f}")
+        assert not peak >= 1024
 
 
 def test_bench_graph_against_triples(large):
