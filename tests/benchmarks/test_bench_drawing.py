@@ -65,7 +65,7 @@ def drawn(name, shape):
 
 
 def memory_mb(drawing, method, folder):
-    """Peak memory of a process of its own before and after a drawing is read, and the seconds; nan where the system tells none."""
+    """Peak memory of a process of its own before and after a drawing is read, and the seconds; nan where nothing tells."""
     if not Path("/proc/self/status").is_file():
         return math.nan, math.nan, math.nan
     file = folder / "drawing.npy"
