@@ -34,9 +34,6 @@ THIN = 0.35
 HEAVY = 2.5
 """Partitions without a door are so many times as thick as lines."""
 
-STUB = 1.6
-"""Walls that end in a room are so many times as thick as that."""
-
 AT_JAMB = 0.15
 """A jamb stands at a piece within so many door widths."""
 
@@ -169,7 +166,7 @@ def _belonging(
 ) -> NDArray[np.bool_]:
     """Pieces of `more` beside `walls` that belong to the building: they meet walls or hold jambs at two places.
 
-    Pieces that hold no jamb and are not `trusted` must be at least `heavy` pixels thick; one place is enough for thicker ones.
+    Pieces that hold no jamb and are not `trusted` must be at least `heavy` pixels thick; for those one place is enough.
     """
     rim = cv2.dilate(walls.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
     extra = more & ~rim
@@ -181,7 +178,8 @@ def _belonging(
     closed = with_openings(walls, sizes, WIDE)
     inside = inside_of(closed)
     reach = max(4, round(sizes.thickness / 2))
-    close = cv2.dilate(closed.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)).astype(bool)
+    square = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
+    along_opening, along_wall = (cv2.dilate(mask.astype(np.uint8), square).astype(bool) for mask in (closed, walls))
     down, across = (run_lengths(extra, axis) for axis in (0, 1))
     thin, long = np.minimum(down, across), np.maximum(down, across)
     for k in large:
@@ -190,16 +188,17 @@ def _belonging(
         window = np.s_[top : y + height + 3, left : x + width + 3]
         part = parts[window] == k
         slender = (long[window] >= SLENDER * thin[window])[part].mean()
-        if slender < 0.6 or inside[window][part].mean() < INSIDE or close[window][part].mean() > ALONGSIDE:
+        thick = float(np.median(thin[window][part])) if heavy > 0 else 0.0
+        is_heavy = thick >= heavy > 0
+        within = is_heavy or inside[window][part].mean() >= INSIDE  # no terrace, no dimension is heavy
+        close = (along_wall if is_heavy else along_opening)[window][part].mean()
+        if slender < 0.6 or close > ALONGSIDE or not within:
             continue
         jambs = jambs_at(part, (left, top), doors)
-        thick = float(np.median(thin[window][part])) if heavy > 0 else 0.0
-        if not (thick >= heavy > 0 or jambs or trusted):
+        if not (is_heavy or jambs or trusted):
             continue
         near = cv2.dilate(part.astype(np.uint8), np.ones((7, 7), np.uint8)).astype(bool) & closed[window]
-        if cv2.connectedComponents(near.astype(np.uint8), connectivity=8)[0] - 1 + jambs >= (
-            1 if thick >= STUB * heavy > 0 else 2
-        ):
+        if cv2.connectedComponents(near.astype(np.uint8), connectivity=8)[0] - 1 + jambs >= (1 if is_heavy else 2):
             found[window] |= part
             found[window] |= (
                 more[window] & rim[window] & cv2.dilate(part.astype(np.uint8), np.ones((5, 5), np.uint8)).astype(bool)

@@ -5,15 +5,17 @@ import re
 import numpy as np
 import pytest
 
-from priorlab.core.drawing import Door
+from priorlab.core.drawing import Door, Drawing
 from priorlab.drawing.faces import thin_cells, walls_between
 from priorlab.drawing.joined import with_others
+from priorlab.drawing.method import ROBUST
 from priorlab.drawing.network import of_network
+from priorlab.drawing.preprocessing import prepare
 from priorlab.drawing.runs import gap_ends
 from priorlab.drawing.symbol import Symbols, ink_beside
 from priorlab.drawing.wall_choice import choose, door_agreement
 from priorlab.drawing.wall_sizes import WallSizes
-from priorlab.drawing.weight import Hypothesis, evenness, judged, with_openings
+from priorlab.drawing.weight import Hypothesis, evenness, judged, weight_hypotheses, with_openings
 
 SIZES = WallSizes(400, 12.0)
 
@@ -108,6 +110,27 @@ def test_with_others_heavy_partition_needs_no_door():
     best, other = Hypothesis("heavy", ring, 1.0, True, 8.0), Hypothesis("light", ring | thin | hair, 0.1, True, 2.0)
     found = with_others(best, [best, other], [1.0, 0.1], SIZES, [], ring | thin | hair)
     assert found[45:215, 201].all() and not found[45:215, [100, 300]].any()
+
+
+def test_with_others_heavy_partition_may_leave_the_building_and_a_line_may_not():
+    ring, thin, hair = _ring(), np.zeros((260, 400), dtype=bool), np.zeros((260, 400), dtype=bool)
+    thin[80:84, 350:390] = True  # the side of a porch: nothing lies above, below and beyond it
+    hair[[120, 180], 350:390] = True
+    best, other = Hypothesis("heavy", ring, 1.0, True, 8.0), Hypothesis("light", ring | thin | hair, 0.1, True, 2.0)
+    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [], ring | thin | hair)
+    assert found[82, 355:385].all() and not found[[120, 180], 355:385].any()
+
+
+@pytest.mark.parametrize(("thick", "trusted"), [(3, 0.5), (4, 1.0), (9, 1.0)])
+def test_weight_hypotheses_trust_solid_walls_that_are_heavier_than_lines(thick, trusted):
+    walls, lines = _ring(thick), np.zeros((260, 400), dtype=bool)
+    for y in range(60, 210, 30):
+        lines[y : y + 2, 80:320] = True
+    sheet = prepare(Drawing(np.where(walls | lines, 0, 255).astype(np.uint8)), ROBUST)
+    found = {h.name: h for h in weight_hypotheses(sheet, walls | lines, walls | lines, SIZES)}
+    heavy = found[f"strokes of at least {min(thick, 6)} px"]
+    alone = judged("walls", heavy.walls, SIZES, solid=True)
+    assert heavy.solid and heavy.quality == pytest.approx(trusted * alone.quality)
 
 
 def test_door_agreement_of_walls_without_jambs_is_a_quarter():
