@@ -110,6 +110,11 @@ def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDA
     return float((JAMBLESS + (1 - JAMBLESS) * on_walls) * (1 - 0.8 * mistaken))
 
 
-def prefer_bodies(best: Hypothesis, bodies: Hypothesis) -> Hypothesis:
-    """Bodies of hollow walls in the place of the best other hypothesis, when they make up `HOLLOW` of it; no hue is hollow."""
-    return bodies if best.hue is None and share_in(best.walls, bodies.walls) >= HOLLOW else best
+def prefer_bodies(best: Hypothesis, bodies: Hypothesis, worth: float = 0.0, most: float = 1.0) -> Hypothesis:
+    """Bodies of hollow walls in the place of the best other hypothesis; no hue is hollow.
+
+    They make up `HOLLOW` of it; or they are worth as much as the most that any other is worth, and nothing is hatched.
+    """
+    makes_up = share_in(best.walls, bodies.walls) >= HOLLOW
+    outdoes = worth >= most and best.name != HATCHED
+    return bodies if best.hue is None and bodies.walls.any() and (makes_up or outdoes) else best

@@ -12,6 +12,7 @@ from priorlab.drawing.method import ROBUST
 from priorlab.drawing.network import of_network
 from priorlab.drawing.preprocessing import prepare
 from priorlab.drawing.runs import gap_ends
+from priorlab.drawing.strokes import line_weights
 from priorlab.drawing.symbol import Symbols, ink_beside
 from priorlab.drawing.wall_choice import choose, door_agreement
 from priorlab.drawing.wall_sizes import WallSizes
@@ -26,6 +27,11 @@ def _ring(thick=10):
     walls[30:230, 50:350] = True
     walls[30 + thick : 230 - thick, 50 + thick : 350 - thick] = False
     return walls
+
+
+def _weights(ink):
+    """Weights of lines drawn full black."""
+    return line_weights(np.where(ink, 255, 0).astype(np.uint8), ink)
 
 
 def _leaf(hinge, tip):
@@ -98,9 +104,9 @@ def test_with_others_thin_partition_with_a_door_comes_back_and_a_shelf_does_not(
     thin[100:103, 80:140] = True  # a shelf
     door = Door((201, 120), (201, 160), (241, 120))
     best, other = Hypothesis("heavy", ring, 1.0, True, 8.0), Hypothesis("light", ring | thin, 0.1, True, 2.0)
-    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [door], ring | thin)
+    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [door], _weights(ring | thin))
     assert found[45:115, 201].all() and found[165:215, 201].all() and not found[101, 80:140].any()
-    assert np.array_equal(with_others(best, [best, other], [1.0, 0.1], SIZES, [], ring | thin), ring)
+    assert np.array_equal(with_others(best, [best, other], [1.0, 0.1], SIZES, [], _weights(ring | thin)), ring)
 
 
 def test_with_others_heavy_partition_needs_no_door():
@@ -108,7 +114,7 @@ def test_with_others_heavy_partition_needs_no_door():
     thin[40:220, 200:204] = True
     hair[40:220, [100, 300]] = True
     best, other = Hypothesis("heavy", ring, 1.0, True, 8.0), Hypothesis("light", ring | thin | hair, 0.1, True, 2.0)
-    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [], ring | thin | hair)
+    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [], _weights(ring | thin | hair))
     assert found[45:215, 201].all() and not found[45:215, [100, 300]].any()
 
 
@@ -117,7 +123,7 @@ def test_with_others_heavy_partition_may_leave_the_building_and_a_line_may_not()
     thin[80:84, 350:390] = True  # the side of a porch: nothing lies above, below and beyond it
     hair[[120, 180], 350:390] = True
     best, other = Hypothesis("heavy", ring, 1.0, True, 8.0), Hypothesis("light", ring | thin | hair, 0.1, True, 2.0)
-    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [], ring | thin | hair)
+    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [], _weights(ring | thin | hair))
     assert found[82, 355:385].all() and not found[[120, 180], 355:385].any()
 
 
