@@ -72,18 +72,19 @@ def with_filled(
     return found
 
 
-def hatched_round(hatched: NDArray[np.bool_], walls: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """The hatched walls that hang together by ink round all others; nothing where none do.
+def walls_round(others: NDArray[np.bool_], walls: NDArray[np.bool_], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Walls of another kind that hang together by ink round all others; nothing where none do.
 
-    >>> walls, hatched = np.zeros((2, 40, 60), dtype=bool); hatched[5:35, 5:55] = True; hatched[9:31, 9:51] = False
-    >>> walls[20:22, 9:51] = True; ink = hatched | walls
-    >>> int((hatched_round(hatched, walls, ink) ^ hatched).sum()), bool(hatched_round(hatched[::-1] & walls, walls, ink).any())
+    >>> walls, others = np.zeros((2, 40, 60), dtype=bool); others[5:35, 5:55] = True; others[9:31, 9:51] = False
+    >>> walls[20:22, 9:51] = True; ink = others | walls
+    >>> int((walls_round(others, walls, ink) ^ others).sum()), bool(walls_round(others[::-1] & walls, walls, ink).any())
     (0, False)
     """
-    if not hatched.any():
-        return hatched
-    n_nets, nets = cv2.connectedComponents((hatched | ink).astype(np.uint8), connectivity=8)
-    largest = int(np.bincount(nets[hatched], minlength=n_nets).argmax())
-    found = hatched & (nets == largest)
+    if not others.any():
+        return others
+    n_nets, nets = cv2.connectedComponents((others | ink).astype(np.uint8), connectivity=8)
+    largest = int(np.bincount(nets[others], minlength=n_nets).argmax())
+    found = others & (nets == largest)
     size, all_walls = (cv2.boundingRect(mask.astype(np.uint8))[2:] for mask in (found, found | walls))
-    return found if all(np.greater_equal(size, np.multiply(ROUND, all_walls))) else np.zeros_like(found)
+    goes_round = all(np.greater_equal(size, np.multiply(ROUND, all_walls)))
+    return found if goes_round else np.zeros_like(found)

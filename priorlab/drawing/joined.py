@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from priorlab.core.drawing import Door
 from priorlab.drawing.runs import gaps_between, label_runs, run_lengths
-from priorlab.drawing.strokes import common_thickness, disc, opened, thinner_run
+from priorlab.drawing.strokes import common_thickness, common_weight, disc, opened
 from priorlab.drawing.wall_sizes import WallSizes
 from priorlab.drawing.weight import SLENDER, Hypothesis, with_openings
 
@@ -33,9 +33,6 @@ THIN = 0.35
 
 HEAVY = 2.5
 """Partitions without a door are so many times as thick as lines."""
-
-STUB = 1.6
-"""Walls that end in a room are so many times as thick as that."""
 
 AT_JAMB = 0.15
 """A jamb stands at a piece within so many door widths."""
@@ -131,24 +128,24 @@ def with_others(
     worths: Sequence[float],
     sizes: WallSizes,
     doors: Sequence[Door],
-    ink: NDArray[np.bool_],
+    weights: NDArray[np.float64],
 ) -> NDArray[np.bool_]:
     """Solid walls of the best hypothesis, and the solid pieces of the others that belong to them, the worthiest first.
 
     Of hypotheses that are worth little only those pieces are taken at which a door stands, or which are much heavier than lines:
-    thin partitions.
+    thin partitions. `weights` are those of all lines, 0 where there is none (height, width).
     """
     walls = best.walls
-    heavy = HEAVY * _line_thickness(ink & ~walls)
+    heavy = HEAVY * max(1.0, common_weight(weights, ~walls))
     least = AS_WORTHY * max(worths)
     order = sorted(range(len(worths)), key=lambda k: -worths[k])
     others = [k for k in order if hypotheses[k].solid and hypotheses[k] is not best]
     for k in others:
         if worths[k] >= least:
-            walls = walls | _belonging(hypotheses[k].walls, walls, sizes, doors, heavy, True)
+            walls = walls | _belonging(hypotheses[k].walls, walls, sizes, doors, weights / heavy, True)
     for k in sorted(others, key=lambda k: -hypotheses[k].weight):
         if worths[k] < least:
-            walls = walls | _belonging(hypotheses[k].walls, walls, sizes, doors, heavy, False)
+            walls = walls | _belonging(hypotheses[k].walls, walls, sizes, doors, weights / heavy, False)
     return walls
 
 
@@ -164,11 +161,16 @@ def inside_of(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _belonging(
-    more: NDArray[np.bool_], walls: NDArray[np.bool_], sizes: WallSizes, doors: Sequence[Door], heavy: float, trusted: bool
+    more: NDArray[np.bool_],
+    walls: NDArray[np.bool_],
+    sizes: WallSizes,
+    doors: Sequence[Door],
+    heaviness: NDArray[np.float64],
+    trusted: bool,
 ) -> NDArray[np.bool_]:
     """Pieces of `more` beside `walls` that belong to the building: they meet walls or hold jambs at two places.
 
-    Pieces that hold no jamb and are not `trusted` must be at least `heavy` pixels thick; one place is enough for thicker ones.
+    For pieces with a median heaviness of 1 or more one place is enough; others must hold a jamb or be `trusted`.
     """
     rim = cv2.dilate(walls.astype(np.uint8), np.ones((3, 3), np.uint8)).astype(bool)
     extra = more & ~rim
@@ -180,7 +182,8 @@ def _belonging(
     closed = with_openings(walls, sizes, WIDE)
     inside = inside_of(closed)
     reach = max(4, round(sizes.thickness / 2))
-    close = cv2.dilate(closed.astype(np.uint8), np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)).astype(bool)
+    square = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
+    along_opening, along_wall = (cv2.dilate(mask.astype(np.uint8), square).astype(bool) for mask in (closed, walls))
     down, across = (run_lengths(extra, axis) for axis in (0, 1))
     thin, long = np.minimum(down, across), np.maximum(down, across)
     for k in large:
@@ -189,30 +192,21 @@ def _belonging(
         window = np.s_[top : y + height + 3, left : x + width + 3]
         part = parts[window] == k
         slender = (long[window] >= SLENDER * thin[window])[part].mean()
-        if slender < 0.6 or inside[window][part].mean() < INSIDE or close[window][part].mean() > ALONGSIDE:
+        is_heavy = float(np.median(heaviness[window][part])) >= 1
+        within = is_heavy or inside[window][part].mean() >= INSIDE  # no terrace, no dimension is heavy
+        close = (along_wall if is_heavy else along_opening)[window][part].mean()
+        if slender < 0.6 or close > ALONGSIDE or not within:
             continue
         jambs = jambs_at(part, (left, top), doors)
-        thick = float(np.median(thin[window][part])) if heavy > 0 else 0.0
-        if not (thick >= heavy > 0 or jambs or trusted):
+        if not (is_heavy or jambs or trusted):
             continue
         near = cv2.dilate(part.astype(np.uint8), np.ones((7, 7), np.uint8)).astype(bool) & closed[window]
-        if cv2.connectedComponents(near.astype(np.uint8), connectivity=8)[0] - 1 + jambs >= (
-            1 if thick >= STUB * heavy > 0 else 2
-        ):
+        if cv2.connectedComponents(near.astype(np.uint8), connectivity=8)[0] - 1 + jambs >= (1 if is_heavy else 2):
             found[window] |= part
             found[window] |= (
                 more[window] & rim[window] & cv2.dilate(part.astype(np.uint8), np.ones((5, 5), np.uint8)).astype(bool)
             )
     return found
-
-
-def _line_thickness(ink: NDArray[np.bool_]) -> float:
-    """How thick half of all lines are at most, by their length; 0 of nothing."""
-    if not ink.any():
-        return 0.0
-    thickness = np.sort(thinner_run(ink)[ink])
-    length = np.cumsum(1.0 / thickness)
-    return float(thickness[np.searchsorted(length, length[-1] / 2)])
 
 
 def jambs_at(part: NDArray[np.bool_], corner: tuple[int, int], doors: Sequence[Door]) -> int:

@@ -92,6 +92,20 @@ def common_thickness(mask: NDArray[np.bool_]) -> float:
     return float(np.bincount(thickness).argmax()) if thickness.size else 0.0
 
 
+def common_weight(weights: NDArray[np.float64], mask: NDArray[np.bool_]) -> float:
+    """Half of a mask's lines, by their length, are no heavier than this; 0 of nothing.
+
+    >>> weights = np.zeros((9, 10)); weights[0] = 1.0; weights[2] = 1.2; weights[4:8] = 4.0
+    >>> float(common_weight(weights, weights > 0)), float(common_weight(weights, weights > 2))
+    (1.2, 4.0)
+    """
+    found = np.sort(weights[mask & (weights > 0)])
+    if not found.size:
+        return 0.0
+    length = np.cumsum(1.0 / np.maximum(found, FAINTEST / 255))
+    return float(found[np.searchsorted(length, length[-1] / 2)])
+
+
 def strip_strokes(mask: NDArray[np.bool_], share: float) -> NDArray[np.bool_]:
     """Walls without the strokes that hang on them: nothing thinner than a share of the commonest thickness stays.
 

@@ -46,11 +46,16 @@ EVEN = 0.6
 SLENDER = 2.0
 """The thickness of an arm is that of a wall when it is so many times longer."""
 
+KNOWN = 0.5
+"""A cell is known for a wall when so much of it is."""
+
 TOO_FEW = 3
 """So few ends at jambs leave it open which thicknesses are common."""
 
 
-def hollow_walls(ink: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes) -> Hypothesis:
+def hollow_walls(
+    ink: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes, known: NDArray[np.bool_] | None = None
+) -> Hypothesis:
     """The bodies of hollow walls with the lines round them; judged with their openings walled up, as solid ones are.
 
     Parameters
@@ -58,9 +63,10 @@ def hollow_walls(ink: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes
     ink : (height, width) bool, the lines of the drawing, doors' too: they close the insides of walls at the jambs
     doors : in the same pixels
     sizes : of walls on this sheet
+    known : (height, width) bool, cells that are walls in any case
     """
     cells = thin_cells(ink, sizes)
-    walls = wall_bodies(cells, ink, doors, sizes)[cells]
+    walls = wall_bodies(cells, ink, doors, sizes, known)[cells]
     rim = ink & _widened(walls)
     weight = round(float(np.median(thinner_run(ink)[rim]))) if rim.any() else 0
     for _ in range(weight + 1):  # step by step, or lines of furniture beside it were taken as well
@@ -68,13 +74,19 @@ def hollow_walls(ink: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes
     return replace(judged(BODIES, with_openings(walls, sizes), sizes), walls=walls)
 
 
-def wall_bodies(cells: NDArray[np.int32], ink: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes) -> NDArray[np.bool_]:
+def wall_bodies(
+    cells: NDArray[np.int32],
+    ink: NDArray[np.bool_],
+    doors: Sequence[Door],
+    sizes: WallSizes,
+    known: NDArray[np.bool_] | None = None,
+) -> NDArray[np.bool_]:
     """For every number of a thin cell: is it the body of a hollow wall?
 
     Parameters
     ----------
     cells : (height, width) as `thin_cells` numbers them
-    ink, doors, sizes : as for `hollow_walls`
+    ink, doors, sizes, known : as for `hollow_walls`
     """
     n_cells = int(cells.max(initial=0)) + 1
     arms = [arms_of(cells, axis) for axis in (0, 1)]
@@ -83,6 +95,9 @@ def wall_bodies(cells: NDArray[np.int32], ink: NDArray[np.bool_], doors: Sequenc
     caps = sum((np.bincount(own.cell[_like(own, thick)], minlength=n_cells) for own in capped), np.zeros(n_cells, dtype=int))
     area = np.bincount(cells.ravel(), minlength=n_cells)
     body = (caps >= 2) | ((caps == 1) & (_share_of(arms, area) >= EVEN))  # two ends outweigh a wing at an angle
+    if known is not None:
+        body |= (area > 0) & (np.bincount(cells[known], minlength=n_cells) >= KNOWN * area)
+        body[0] = False
     slender = [own.thickness[body[own.cell] & (own.length >= SLENDER * own.thickness)] for own in arms]
     fitting = _share_of(arms, area, np.concatenate([thick, *slender])) >= EVEN
     widest = WIDEST_DOORS * float(np.median([door.width for door in doors])) if doors else 0.0

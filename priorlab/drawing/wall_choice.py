@@ -20,7 +20,7 @@ HOLLOW = 0.5
 """Walls are drawn hollow when bodies that end at jambs and go on in line make up so much of the best other hypothesis."""
 
 HATCHING_COVERS = 0.5
-"""Hatching is taken when it makes up so much of the best hypothesis, or is worth so much of it."""
+"""Hatching is taken when it makes up so much of the best hypothesis, and holds as many jambs, or is worth so much of it."""
 
 SOLID_COVERS = 0.5
 """Solid walls are preferred when they make up so much of the best hypothesis."""
@@ -72,16 +72,24 @@ def choose(hypotheses: Sequence[Hypothesis], worths: Sequence[float]) -> Hypothe
     if best.weight:
         least = NEARLY_SOLID if best.solid else NEARLY
         best = max((h for h, worth in pairs if worth >= least * most and h.solid >= best.solid), key=lambda h: h.weight)
-    hatched, worth = next(((h, w) for h, w in pairs if h.name == HATCHED), (best, 0.0))
-    covers = (hatched.walls & best.walls).sum() >= HATCHING_COVERS * best.walls.sum()
-    if hatched.walls.any() and (covers or worth >= HATCHING_COVERS * most):
-        return hatched
+    if _hatched_is_all(pairs, best, most):
+        return next(h for h in hypotheses if h.name == HATCHED)
     solid = [
         (h, w)
         for h, w in pairs
         if h.solid and h.weight >= best.weight and (h.walls & best.walls).sum() >= SOLID_COVERS * best.walls.sum()
     ]
     return max(solid, key=lambda pair: pair[1])[0] if solid else best
+
+
+def _hatched_is_all(pairs: Sequence[tuple[Hypothesis, float]], best: Hypothesis, most: float) -> bool:
+    """Is what is hatched all walls, the rest furniture? Where partitions are drawn otherwise, it misses the jambs of doors."""
+    hatched, worth = next(((h, w) for h, w in pairs if h.name == HATCHED), (best, 0.0))
+    if not hatched.walls.any() or not worth > 0:
+        return False
+    trusted = next(w for h, w in pairs if h is best)
+    jambs = min(1.0, (worth / hatched.quality) / (trusted / best.quality)) if trusted > 0 else 1.0
+    return jambs * share_in(best.walls, hatched.walls) >= HATCHING_COVERS or worth >= HATCHING_COVERS * most
 
 
 def _longest_run(walls: NDArray[np.bool_]) -> int:
@@ -102,6 +110,11 @@ def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDA
     return float((JAMBLESS + (1 - JAMBLESS) * on_walls) * (1 - 0.8 * mistaken))
 
 
-def prefer_bodies(best: Hypothesis, bodies: Hypothesis) -> Hypothesis:
-    """Bodies of hollow walls in the place of the best other hypothesis, when they make up `HOLLOW` of it; no hue is hollow."""
-    return bodies if best.hue is None and share_in(best.walls, bodies.walls) >= HOLLOW else best
+def prefer_bodies(best: Hypothesis, bodies: Hypothesis, worth: float = 0.0, most: float = 1.0) -> Hypothesis:
+    """Bodies of hollow walls in the place of the best other hypothesis; no hue is hollow.
+
+    They make up `HOLLOW` of it; or they are worth as much as the most that any other is worth, and nothing is hatched.
+    """
+    makes_up = share_in(best.walls, bodies.walls) >= HOLLOW
+    outdoes = worth >= most and best.name != HATCHED
+    return bodies if best.hue is None and bodies.walls.any() and (makes_up or outdoes) else best

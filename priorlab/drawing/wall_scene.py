@@ -62,6 +62,10 @@ class WallScene:
         """(height, width) bool, drawn ink that may bound the inside of a wall."""
         return large_components(self.drawn, OUTLINES * self.sheet.long_side)
 
+    def lines(self) -> NDArray[np.bool_]:
+        """(height, width) bool, all ink but text, faint lines too."""
+        return large_components(self.sheet.lines, OUTLINES * self.sheet.long_side)
+
 
 def scene_of(sheet: Sheet, doors: Sequence[Door], method: Method) -> WallScene:
     """The scene of a sheet; `doors` in the drawing's own pixels."""

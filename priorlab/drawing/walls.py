@@ -134,8 +134,9 @@ def _chosen(scene: WallScene, guided: NDArray[np.bool_]) -> tuple[tuple[Hypothes
     hypotheses = (judged("doors", guided, sizes), *weight_hypotheses(scene.sheet, scene.without_doors, outlines, sizes))
     worths = worths_of(hypotheses, scene.doors, scene.symbols)
     bodies = hollow_walls(outlines, scene.doors, sizes)
-    best = prefer_bodies(choose(hypotheses, worths), bodies)
-    return (*hypotheses, bodies), [*worths, *worths_of([bodies], scene.doors, scene.symbols)], best
+    (worth,) = worths_of([bodies], scene.doors, scene.symbols)
+    best = prefer_bodies(choose(hypotheses, worths), bodies, worth, max(worths))
+    return (*hypotheses, bodies), [*worths, worth], best
 
 
 def sweeps_from(

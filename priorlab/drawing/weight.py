@@ -18,7 +18,7 @@ from priorlab.drawing.long_cells import long_cells
 from priorlab.drawing.preprocessing import NO_HUE
 from priorlab.drawing.runs import gap_ends, run_lengths
 from priorlab.drawing.sheet import Sheet
-from priorlab.drawing.strokes import line_weights, opened, stroke_widths, thinner_run
+from priorlab.drawing.strokes import common_weight, line_weights, opened, stroke_widths, thinner_run
 from priorlab.drawing.wall_sizes import WallSizes
 
 HEAVIEST = 6
@@ -35,6 +35,9 @@ IN_COLOUR = 0.5
 
 EVEN = 0.4
 """Solid walls are at least so much as thick as the thickest quarter of them."""
+
+HEAVIER_BY = 1.0
+"""Solid walls are heavier than the drawing's lines by so many times the weight of these."""
 
 OPENING = 0.12
 """Widest door or window of solid walls, share of M."""
@@ -97,20 +100,23 @@ def weight_hypotheses(
     cells = thin_cells(outlines, sizes)
     hues = _hues(sheet, ink)
     trust = IN_COLOUR if hues else 1.0
-    found = []
+    found: list[Hypothesis] = []
     widths, weights = stroke_widths(ink, HEAVIEST), line_weights(sheet.darkness, ink)
+    lines = common_weight(weights, ink)
     faces = {f"strokes of at least {q} px": widths >= q for q in range(2, HEAVIEST + 1)}
     faces |= {f"lines of at least {w} px": ink & (weights >= w) for w in SUBPIXEL_WEIGHTS}
     for (name, heavy), least in zip(faces.items(), (*range(2, HEAVIEST + 1), *SUBPIXEL_WEIGHTS), strict=True):
         if heavy.any():
             walls, solid = walls_between(heavy, ink, cells, sizes)
-            found.append(judged(name, walls, sizes, solid, trust, least))
+            heavier = above_lines(common_weight(weights, walls), lines) if solid else 1.0
+            found.append(judged(name, walls, sizes, solid, trust * heavier, least))
     for side in HEAVIER:
         block = opened(ink, side)
         if not block.any():
             break
         strokes = tidy(long_runs(block, sizes.face_length, 0) | long_runs(block, sizes.face_length, 1), sizes, within=ink)
-        found.append(judged(f"solid strokes of at least {side} px", strokes, sizes, True, trust, side))
+        heavier = above_lines(common_weight(weights, strokes), lines)
+        found.append(judged(f"solid strokes of at least {side} px", strokes, sizes, True, trust * heavier, side))
     loose, *strict = long_cells(outlines, sizes)
     narrow = {"long cells": loose.walls(), STRAIGHT_CELLS: np.logical_or.reduce([c.walls() for c in strict])}
     found += [judged(name, tidy(walls, sizes), sizes, False, trust) for name, walls in narrow.items()]
@@ -123,6 +129,15 @@ def weight_hypotheses(
         walls = of_own_hue(walls, coloured, outlines & (sheet.hue != NO_HUE) & ~of_hue(sheet.hue, hue), sizes)
         found.append(replace(judged(f"hue {hue * 180 // HUE_BINS * 2} degrees", walls, sizes, solid), hue=hue))
     return tuple(found)
+
+
+def above_lines(weight: float, lines: float) -> float:
+    """Trust in solid walls of a weight: 1 where they are twice as heavy as the drawing's lines, 0 where they are lines like all.
+
+    >>> above_lines(4.0, 1.0), above_lines(3.0, 2.0), above_lines(1.0, 1.0)
+    (1.0, 0.5, 0.0)
+    """
+    return float(np.clip((weight / lines - 1) / HEAVIER_BY, 0.0, 1.0)) if lines > 0 else 1.0
 
 
 def centre_line(walls: NDArray[np.bool_], sizes: WallSizes) -> tuple[float, float]:

@@ -194,3 +194,12 @@ def test_choose_takes_hatching_that_makes_up_the_best():
     hatched[15:30] = False  # a cupboard
     assert choose(both, (1.0, 0.1)).name == "lines"
     assert choose(both, (1.0, 0.6)).name == HATCHED
+
+
+def test_choose_takes_no_hatching_beside_which_the_doors_stand():
+    best, hatched = (np.zeros((50, 100), dtype=bool) for _ in range(2))
+    best[10:40] = True
+    hatched[10:30] = True
+    both = (Hypothesis("lines", best, 1.0, weight=2.0), Hypothesis(HATCHED, hatched, 0.2))
+    assert choose(both, (1.0 * 0.8, 0.2 * 0.7)).name == HATCHED  # jambs stand on both alike: worth over quality
+    assert choose(both, (1.0 * 0.8, 0.2 * 0.3)).name == "lines"

@@ -5,15 +5,18 @@ import re
 import numpy as np
 import pytest
 
-from priorlab.core.drawing import Door
+from priorlab.core.drawing import Door, Drawing
 from priorlab.drawing.faces import thin_cells, walls_between
 from priorlab.drawing.joined import with_others
+from priorlab.drawing.method import ROBUST
 from priorlab.drawing.network import of_network
+from priorlab.drawing.preprocessing import prepare
 from priorlab.drawing.runs import gap_ends
+from priorlab.drawing.strokes import line_weights
 from priorlab.drawing.symbol import Symbols, ink_beside
 from priorlab.drawing.wall_choice import choose, door_agreement
 from priorlab.drawing.wall_sizes import WallSizes
-from priorlab.drawing.weight import Hypothesis, evenness, judged, with_openings
+from priorlab.drawing.weight import Hypothesis, evenness, judged, weight_hypotheses, with_openings
 
 SIZES = WallSizes(400, 12.0)
 
@@ -24,6 +27,11 @@ def _ring(thick=10):
     walls[30:230, 50:350] = True
     walls[30 + thick : 230 - thick, 50 + thick : 350 - thick] = False
     return walls
+
+
+def _weights(ink):
+    """Weights of lines drawn full black."""
+    return line_weights(np.where(ink, 255, 0).astype(np.uint8), ink)
 
 
 def _leaf(hinge, tip):
@@ -96,9 +104,9 @@ def test_with_others_thin_partition_with_a_door_comes_back_and_a_shelf_does_not(
     thin[100:103, 80:140] = True  # a shelf
     door = Door((201, 120), (201, 160), (241, 120))
     best, other = Hypothesis("heavy", ring, 1.0, True, 8.0), Hypothesis("light", ring | thin, 0.1, True, 2.0)
-    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [door], ring | thin)
+    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [door], _weights(ring | thin))
     assert found[45:115, 201].all() and found[165:215, 201].all() and not found[101, 80:140].any()
-    assert np.array_equal(with_others(best, [best, other], [1.0, 0.1], SIZES, [], ring | thin), ring)
+    assert np.array_equal(with_others(best, [best, other], [1.0, 0.1], SIZES, [], _weights(ring | thin)), ring)
 
 
 def test_with_others_heavy_partition_needs_no_door():
@@ -106,8 +114,29 @@ def test_with_others_heavy_partition_needs_no_door():
     thin[40:220, 200:204] = True
     hair[40:220, [100, 300]] = True
     best, other = Hypothesis("heavy", ring, 1.0, True, 8.0), Hypothesis("light", ring | thin | hair, 0.1, True, 2.0)
-    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [], ring | thin | hair)
+    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [], _weights(ring | thin | hair))
     assert found[45:215, 201].all() and not found[45:215, [100, 300]].any()
+
+
+def test_with_others_heavy_partition_may_leave_the_building_and_a_line_may_not():
+    ring, thin, hair = _ring(), np.zeros((260, 400), dtype=bool), np.zeros((260, 400), dtype=bool)
+    thin[80:84, 350:390] = True  # the side of a porch: nothing lies above, below and beyond it
+    hair[[120, 180], 350:390] = True
+    best, other = Hypothesis("heavy", ring, 1.0, True, 8.0), Hypothesis("light", ring | thin | hair, 0.1, True, 2.0)
+    found = with_others(best, [best, other], [1.0, 0.1], SIZES, [], _weights(ring | thin | hair))
+    assert found[82, 355:385].all() and not found[[120, 180], 355:385].any()
+
+
+@pytest.mark.parametrize(("thick", "trusted"), [(3, 0.5), (4, 1.0), (9, 1.0)])
+def test_weight_hypotheses_trust_solid_walls_that_are_heavier_than_lines(thick, trusted):
+    walls, lines = _ring(thick), np.zeros((260, 400), dtype=bool)
+    for y in range(60, 210, 30):
+        lines[y : y + 2, 80:320] = True
+    sheet = prepare(Drawing(np.where(walls | lines, 0, 255).astype(np.uint8)), ROBUST)
+    found = {h.name: h for h in weight_hypotheses(sheet, walls | lines, walls | lines, SIZES)}
+    heavy = found[f"strokes of at least {min(thick, 6)} px"]
+    alone = judged("walls", heavy.walls, SIZES, solid=True)
+    assert heavy.solid and heavy.quality == pytest.approx(trusted * alone.quality)
 
 
 def test_door_agreement_of_walls_without_jambs_is_a_quarter():

@@ -1,16 +1,24 @@
 """Bodies of hollow walls: hand-made houses whose walls are known from the mask that their lines were drawn from."""
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from priorlab.core.drawing import Door
+from priorlab.core.drawing import Door, Drawing
 from priorlab.drawing.arms import arms_of
 from priorlab.drawing.faces import thin_cells
+from priorlab.drawing.method import ROBUST
+from priorlab.drawing.preprocessing import prepare
 from priorlab.drawing.wall_bodies import ends_at_jambs, hollow_walls, wall_bodies
+from priorlab.drawing.wall_choice import prefer_bodies
+from priorlab.drawing.wall_completion import hollow_round
+from priorlab.drawing.wall_scene import scene_of
 from priorlab.drawing.wall_sizes import WallSizes
+from priorlab.drawing.weight import HATCHED, STRAIGHT_CELLS, Hypothesis
 
 SIZES = WallSizes(400, 20.0)
 WIDTH = 40
@@ -54,6 +62,36 @@ def test_hollow_walls_are_the_bodies_from_opening_to_opening():
 def test_hollow_walls_hold_the_pier_between_two_windows():
     found = hollow_walls(_house(), DOORS, SIZES).walls
     assert found[30:42, 150:170].all() and not found[33, 100:140].any()
+
+
+def test_hollow_walls_go_on_from_known_ones_along_windows():
+    known = np.zeros((300, 400), dtype=bool)
+    known[32:228, 52:60] = True  # the inside of the wall on the left: its cell goes up to the first window
+    found = hollow_walls(_house(), (), SIZES, known).walls
+    assert found[30:42, 150:170].all() and found[60:200, 340:348].all()
+    assert not hollow_walls(_house(), (), SIZES).walls.any()
+
+
+def test_hollow_round_solid_partitions_is_taken_and_no_smaller_ring():
+    solid = np.zeros((300, 400), dtype=bool)
+    solid[42:218, 200:204] = True
+    ring, ink = _walls() & ~np.pad(np.ones((176, 276), dtype=bool), ((42, 82), (62, 62))), _house()
+    ink[42:218, 202:206] = False
+    scene = scene_of(prepare(Drawing(np.where(ink | solid, 0, 255).astype(np.uint8)), ROBUST), (), ROBUST)
+    found = hollow_round([Hypothesis(STRAIGHT_CELLS, ring, 1.0)], solid, scene)
+    assert found[ring].all()
+    assert not hollow_round([Hypothesis(STRAIGHT_CELLS, ring & (np.arange(400) < 150), 1.0)], solid, scene).any()
+    assert not hollow_round([Hypothesis("long cells", ring, 1.0)], solid, scene).any()
+
+
+def test_prefer_bodies_that_are_worth_more_than_all_others():
+    one, other = (np.zeros((20, 20), dtype=bool) for _ in range(2))
+    one[:4] = other[8:] = True
+    best, bodies = Hypothesis("strokes", one, 1.0, True, 3.0), Hypothesis("bodies of hollow walls", other, 1.0)
+    assert prefer_bodies(best, bodies, 0.5, 1.0) is best
+    assert prefer_bodies(best, bodies, 1.0, 1.0) is bodies
+    assert prefer_bodies(replace(best, name=HATCHED), bodies, 2.0, 1.0).name == HATCHED
+    assert prefer_bodies(replace(best, hue=3), bodies, 2.0, 1.0).hue == 3
 
 
 @pytest.mark.parametrize("box", [(46, 58, 70, 130), (150, 210, 322, 334), (60, 120, 64, 76)])
