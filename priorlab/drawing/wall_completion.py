@@ -11,6 +11,7 @@ from priorlab.drawing.faces import thin_cells, without_lone_bars
 from priorlab.drawing.filled_walls import hatched_round, with_filled
 from priorlab.drawing.joined import with_edges, with_heavy_ink, with_others, without_thin_outside
 from priorlab.drawing.network import of_network, without_blocks
+from priorlab.drawing.strokes import half_covered
 from priorlab.drawing.valleys import narrow_gaps
 from priorlab.drawing.wall_bodies import BODIES
 from priorlab.drawing.wall_choice import share_in
@@ -22,9 +23,6 @@ from priorlab.drawing.windows import window_panes
 
 DRAWN_SOLID = 0.8
 """Walls of which so much is ink are drawn solid, with windows between them."""
-
-HALF = 0.45
-"""Of a pixel that a line covers half, so much of full darkness is left at least."""
 
 
 def completed(
@@ -70,8 +68,3 @@ def windows_of(walls: NDArray[np.bool_], best: Hypothesis, scene: WallScene) -> 
     if best.hue is None:
         return find_windows(walls, scene.drawn, scene.sizes, best.weight)
     return find_windows(walls, scene.drawn & ~of_hue(scene.sheet.hue, best.hue), scene.sizes, np.inf, fewest=3)
-
-
-def half_covered(darkness: NDArray[np.uint8], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Pixels about half as dark as full ink: half of them, or more, is covered by a line."""
-    return darkness >= (HALF * np.percentile(darkness[ink], 98) if ink.any() else 255)

@@ -32,8 +32,8 @@ RIM = (14, 48)
 THIN = (0.085, 0.12)
 """Thickness of walls of one thin pen, metres."""
 
-LEAST = 3.0
-"""No wall is drawn thinner, pixels."""
+LEAST, WINDOWED = 3.0, 5.0
+"""No wall is drawn thinner, pixels; nor of one thin pen where the three lines of a window have to be seen in it."""
 
 SWINGS = 1.3
 """Wider openings get no door that swings, metres."""
@@ -124,9 +124,10 @@ def redrawn(description: Description, look: RenderingLook, rng: np.random.Genera
     right, top = ((SIDE * scale - size) / 2).tolist()
     ink = str(rng.choice({"dark": DARK, "grey": GREYS, "colour": COLOURS}[look.ink]))
     thin, thicker = float(rng.uniform(*THIN)), float(rng.uniform(0.9, 1.2))
+    least = WINDOWED if look.walls == "thin" and look.windows == "lines" else LEAST
     styles = {}
     for name, style in description.styles.items():
-        thickness = max(thin if look.walls == "thin" else thicker * style.thickness, LEAST * scale)
+        thickness = max(thin if look.walls == "thin" else thicker * style.thickness, least * scale)
         styles[name] = replace(style, thickness=thickness, look="filled", ink=ink)
     line = float(rng.uniform(1.0, 1.4)) if look.walls == "thick" else 1.0
     pen, furniture_pen = str(rng.choice(("#000000", "#505050"))), str(rng.choice(("#404040", "#808080", "#a0a0a0")))
