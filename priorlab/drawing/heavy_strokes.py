@@ -29,6 +29,9 @@ CORE = 0.75
 STRAIGHT, RUN = 0.88, 0.04
 """So much of heavy strokes, by length, lies in straight runs of at least this share of M: letters and arcs do not."""
 
+AS_THICK = 0.8
+"""A small piece of wall is so many times as thick as the thinnest partitions."""
+
 CRUMBS, CRUMB = 0.05, 0.02
 """No more of them, by length, lies in pieces shorter than this share of M: letters and dots."""
 
@@ -104,8 +107,16 @@ def _near(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def _without_crumbs(heavy: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Heavy strokes without what is shorter than partitions are thick: where lines cross or letters bend."""
-    return large_components(heavy, _thickness_of(heavy, PARTITION)) if heavy.any() else heavy
+    """Heavy strokes without small pieces that are shorter than partitions are thick, or thinner: crossings, letters."""
+    large = large_components(heavy, RUN * max(heavy.shape))
+    if not large.any():
+        return heavy
+    thinnest, partition = (_thickness_of(large, share) for share in (THINNEST, PARTITION))
+    rest = large_components(heavy & ~large, partition)
+    n_parts, parts = cv2.connectedComponents(rest.astype(np.uint8), connectivity=8)
+    area = np.bincount(parts[rest], minlength=n_parts)
+    thick = np.bincount(parts[rest], weights=thinner_run(rest)[rest] >= AS_THICK * thinnest, minlength=n_parts)
+    return large | (rest & (thick >= area / 2)[parts])
 
 
 def _thickness_of(ink: NDArray[np.bool_], share: float) -> float:

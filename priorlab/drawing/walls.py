@@ -22,7 +22,7 @@ from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
 from priorlab.drawing.wall_bodies import hollow_walls
-from priorlab.drawing.wall_choice import choose, prefer_bodies, worths_of
+from priorlab.drawing.wall_choice import choose, has_other_style, prefer_bodies, worths_of
 from priorlab.drawing.wall_completion import completed, of_the_building, windows_of
 from priorlab.drawing.wall_scene import WallScene, scene_of
 from priorlab.drawing.weight import Hypothesis, judged, weight_hypotheses
@@ -119,7 +119,7 @@ def _chosen(scene: WallScene, guided: NDArray[np.bool_]) -> tuple[tuple[Hypothes
     best = prefer_bodies(choose(hypotheses, worths), bodies)
     hypotheses, worths = (*hypotheses, bodies), [*worths, *worths_of([bodies], scene.doors, scene.symbols)]
     heavy = heavy_strokes(scene.sheet.darkness, scene.drawn)
-    if heavy is None:
+    if heavy is None or has_other_style(heavy, hypotheses):
         return hypotheses, worths, best
     heavy = without_leaves(heavy, (door_ink(scene.sheet, [door]) for door in scene.doors))
     heavy = without_blocks(heavy, scene.drawn, scene.doors) if is_furnished(heavy, scene.drawn) else heavy

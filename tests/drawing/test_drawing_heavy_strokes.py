@@ -9,6 +9,9 @@ from priorlab.core.drawing import Drawing
 from priorlab.core.score import score_mask
 from priorlab.drawing.extraction import extract_walls
 from priorlab.drawing.heavy_strokes import ALL_HEAVY, heavy_strokes, is_furnished, without_leaves
+from priorlab.drawing.wall_choice import has_other_style
+from priorlab.drawing.wall_sizes import wall_sizes
+from priorlab.drawing.weight import STRAIGHT_CELLS, judged
 
 
 def building():
@@ -137,3 +140,31 @@ def test_extract_walls_drops_blocks_between_furniture_alone():
         cv2.rectangle(grey, (x, 90), (x + 10, 140), 0, 1)
     furnished = extract_walls(Drawing(grey, name="stove")).walls.mask
     assert bare[240, 340] and not furnished[240, 340]
+
+
+def test_heavy_strokes_leave_letters_thinner_than_walls():
+    walls = building()
+    walls[310:] = False  # without the parapet nothing is as thin as letters
+    walls[70:150, 250:258] = walls[190:300, 250:258] = True
+    ink = dark(walls)
+    cv2.putText(ink, "HALL", (90, 140), cv2.FONT_HERSHEY_SIMPLEX, 0.7, 255, 2)
+    np.testing.assert_array_equal(heavy_strokes(ink, ink > 0), walls)
+
+
+def test_has_other_style_of_walls_between_two_lines():
+    walls = building()
+    two_lines = np.zeros_like(walls)
+    two_lines[20:32, 20:480] = True
+    cells = judged(STRAIGHT_CELLS, two_lines, wall_sizes(500))
+    assert has_other_style(walls, [cells])
+    assert not has_other_style(walls, [judged("strokes", two_lines, wall_sizes(500))])
+    assert not has_other_style(walls, [judged(STRAIGHT_CELLS, np.zeros_like(walls), wall_sizes(500))])
+
+
+def test_extract_walls_takes_no_faces_of_hollow_walls_for_all_walls():
+    grey = np.full((400, 500), 255, dtype=np.uint8)
+    for inset in (60, 71):
+        cv2.rectangle(grey, (inset, inset), (499 - inset, 399 - inset), 0, 4)
+    found = extract_walls(Drawing(grey, name="hollow"))
+    assert found.wall_search.chosen != ALL_HEAVY
+    assert found.walls.mask[68, 100:400].mean() > 0.9
