@@ -12,6 +12,7 @@ from priorlab.core.drawing import Door, Drawing, Walls
 from priorlab.drawing.candidates import DoorSearch
 from priorlab.drawing.corners import corners_of
 from priorlab.drawing.doors import search_doors
+from priorlab.drawing.left_out import LEAST_KEPT, share_kept
 from priorlab.drawing.method import ROBUST, Method
 from priorlab.drawing.photograph import is_photograph
 from priorlab.drawing.pieces import WallPiece
@@ -211,4 +212,7 @@ def _notes(
         notes.append(f"No wall was found, lost at '{lost_at}': {seeds}.")
     elif walls.chosen != "doors":
         notes.append(f"Walls were chosen by line weight: {walls.chosen}.")
+        kept = share_kept(walls.walls, sheet.to_input(sheet.walls))
+        if kept < LEAST_KEPT:
+            notes.append(f"Only {100 * kept:.0f} % of the ink as heavy as these walls was taken for wall: look what is missing.")
     return tuple(notes)
