@@ -214,5 +214,7 @@ def _notes(
         notes.append(f"Walls were chosen by line weight: {walls.chosen}.")
         kept = share_kept(walls.walls, sheet.to_input(sheet.walls))
         if kept < LEAST_KEPT:
-            notes.append(f"Only {100 * kept:.0f} % of the ink as heavy as these walls was taken for wall: look what is missing.")
+            notes.append(
+                f"Only {100 * kept:.0f} % of all that is as heavy as these walls was taken for wall: look what is missing."
+            )
     return tuple(notes)

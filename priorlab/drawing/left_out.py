@@ -15,7 +15,7 @@ LEAST_KEPT = 0.5
 
 
 def share_kept(walls: NDArray[np.bool_], ink: NDArray[np.bool_]) -> float:
-    """Share of the ink as heavy as the walls that is wall; 1 when none is as heavy, nan without walls.
+    """Share that the walls are of themselves and of all ink that is as heavy; 1 when none else is as heavy, nan without walls.
 
     >>> ink = np.zeros((40, 60), dtype=bool); ink[4:10] = ink[20:26] = ink[30] = True
     >>> walls = ink.copy(); walls[15:] = False
@@ -25,4 +25,4 @@ def share_kept(walls: NDArray[np.bool_], ink: NDArray[np.bool_]) -> float:
     if not walls.any():
         return float("nan")
     heavy = opened(ink, max(2, round(AS_THICK * common_thickness(walls))))
-    return float(walls[heavy].mean()) if heavy.any() else 1.0
+    return float(np.count_nonzero(walls) / np.count_nonzero(walls | heavy))
