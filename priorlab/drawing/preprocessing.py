@@ -10,6 +10,7 @@ from priorlab.core.checks import check_record
 from priorlab.core.drawing import Drawing
 from priorlab.drawing.deskew import Turn, find_skew, then_cut, turn_by
 from priorlab.drawing.method import Method
+from priorlab.drawing.painted import without_paint
 from priorlab.drawing.sheet import Sheet
 
 LEAST_CONTRAST = 12
@@ -47,6 +48,8 @@ def prepare(drawing: Drawing, method: Method) -> Sheet:
     scale = 2 if max(drawing.shape) < method.upscale_below else 1
     if scale > 1:
         image = np.asarray(cv2.resize(image, None, fx=scale, fy=scale, interpolation=cv2.INTER_CUBIC), dtype=np.uint8)
+    if method.sources == "both" and image.ndim == 3 and not inverted and paper is None:
+        image = without_paint(image)
     darkness = paper_distance(image, paper)
     wall_darkness = _wall_threshold(darkness, image) if method.wall_darkness is None else method.wall_darkness
     line_darkness = min(method.line_darkness, wall_darkness)
@@ -134,8 +137,7 @@ def paper_distance(image: NDArray[np.uint8], paper_grey: int | None = None) -> N
         paper = np.full(image.shape[2:], paper_grey, dtype=np.uint8)
     if image.ndim == 2:
         return np.asarray(cv2.absdiff(image, np.full_like(image, paper)), dtype=np.uint8)
-    channels = [cv2.absdiff(image[..., c], np.full(image.shape[:2], paper[c], dtype=np.uint8)) for c in range(3)]
-    return np.asarray(np.maximum.reduce(channels), dtype=np.uint8)
+    return np.asarray(cv2.absdiff(image, np.broadcast_to(paper, image.shape).copy()).max(axis=2), dtype=np.uint8)
 
 
 def large_components(ink: NDArray[np.bool_], min_length: float) -> NDArray[np.bool_]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from priorlab.core.drawing import Drawing
 from priorlab.drawing.candidates import DoorSearch
+from priorlab.drawing.left_out import LEAST_KEPT, share_kept
 from priorlab.drawing.method import Method
 from priorlab.drawing.pieces import WallPiece
 from priorlab.drawing.sheet import Sheet
@@ -63,6 +64,9 @@ def remarks(
         return (*said, f"No wall was found, lost at '{lost_at}': {seeds}.")
     if walls.chosen != "doors":
         said.append(f"Walls were chosen by line weight: {walls.chosen}.")
+        kept = share_kept(walls.walls, sheet.to_input(sheet.walls))
+        if kept < LEAST_KEPT:
+            said.append(f"Only {100 * kept:.0f} % of the ink as heavy as these walls was taken for wall: look what is missing.")
     return (*said, *about_walls(name, float(walls.walls.mean()), walls.pieces))
 
 

@@ -37,6 +37,9 @@ NEARLY = 0.95
 NEARLY_SOLID = 0.75
 """The same where walls are solid: lighter strokes are worth more for windows, which are added later."""
 
+OTHER_STYLE = 0.25
+"""Heavy strokes are not all walls when hatching, or cells between lines, make up more than this share of them."""
+
 WALL_LENGTH = 0.1
 """The longest straight stroke of a building is at least this share of the drawing's long side; letters are shorter."""
 
@@ -90,6 +93,12 @@ def _hatched_is_all(pairs: Sequence[tuple[Hypothesis, float]], best: Hypothesis,
     trusted = next(w for h, w in pairs if h is best)
     jambs = min(1.0, (worth / hatched.quality) / (trusted / best.quality)) if trusted > 0 else 1.0
     return jambs * share_in(best.walls, hatched.walls) >= HATCHING_COVERS or worth >= HATCHING_COVERS * most
+
+
+def has_other_style(heavy: NDArray[np.bool_], hypotheses: Sequence[Hypothesis]) -> bool:
+    """Are there, beside heavy strokes, so many hatched walls or walls of two lines that heavy strokes cannot be all of them?"""
+    others = (h.walls for h in hypotheses if h.name in (HATCHED, STRAIGHT_CELLS))
+    return any(np.count_nonzero(walls) > OTHER_STYLE * np.count_nonzero(heavy) for walls in others)
 
 
 def _longest_run(walls: NDArray[np.bool_]) -> int:

@@ -11,7 +11,7 @@ from priorlab.drawing.faces import thin_cells, without_lone_bars
 from priorlab.drawing.filled_walls import THICKER, walls_round, with_filled
 from priorlab.drawing.joined import HEAVY, with_edges, with_heavy_ink, with_others, without_thin_outside
 from priorlab.drawing.network import of_network, without_blocks
-from priorlab.drawing.strokes import common_weight, line_weights
+from priorlab.drawing.strokes import common_weight, half_covered, line_weights
 from priorlab.drawing.valleys import narrow_gaps
 from priorlab.drawing.wall_bodies import BODIES, hollow_walls
 from priorlab.drawing.wall_choice import share_in
@@ -26,9 +26,6 @@ DRAWN_SOLID = 0.8
 
 OUTWEIGH = 2.0
 """Hollow walls round solid ones cover so many times as much: outer walls are thick, partitions thin."""
-
-HALF = 0.45
-"""Of a pixel that a line covers half, so much of full darkness is left at least."""
 
 
 def completed(
@@ -89,8 +86,3 @@ def windows_of(walls: NDArray[np.bool_], best: Hypothesis, scene: WallScene) -> 
     if best.hue is None:
         return find_windows(walls, scene.drawn, scene.sizes, best.weight)
     return find_windows(walls, scene.drawn & ~of_hue(scene.sheet.hue, best.hue), scene.sizes, np.inf, fewest=3)
-
-
-def half_covered(darkness: NDArray[np.uint8], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Pixels about half as dark as full ink: half of them, or more, is covered by a line."""
-    return darkness >= (HALF * np.percentile(darkness[ink], 98) if ink.any() else 255)

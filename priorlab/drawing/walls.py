@@ -11,9 +11,12 @@ from numpy.typing import NDArray
 from priorlab.core.checks import check_record
 from priorlab.core.drawing import EMPTY, WALL, WINDOW, Door, Drawing, Walls
 from priorlab.drawing.corners import corners_of
+from priorlab.drawing.door_ink import door_ink
 from priorlab.drawing.given_doors import check_doors
+from priorlab.drawing.heavy_strokes import ALL_HEAVY, heavy_strokes, is_furnished, without_leaves
 from priorlab.drawing.joined import between_ends
 from priorlab.drawing.method import ROBUST, Method
+from priorlab.drawing.network import without_blocks
 from priorlab.drawing.outer_walls import outer_walls
 from priorlab.drawing.pieces import WallPiece, wall_pieces
 from priorlab.drawing.preprocessing import prepare
@@ -21,7 +24,7 @@ from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.strokes import strip_strokes
 from priorlab.drawing.sweeps import HORIZONTAL, VERTICAL, jamb_runs, orientation, sweep_walls
 from priorlab.drawing.wall_bodies import hollow_walls
-from priorlab.drawing.wall_choice import choose, prefer_bodies, worths_of
+from priorlab.drawing.wall_choice import choose, has_other_style, prefer_bodies, worths_of
 from priorlab.drawing.wall_completion import completed, of_the_building, windows_of
 from priorlab.drawing.wall_scene import WallScene, scene_of
 from priorlab.drawing.weight import Hypothesis, judged, weight_hypotheses
@@ -94,11 +97,11 @@ def search_walls(sheet: Sheet, doors: Sequence[Door], corners: NDArray[np.float6
         worths, walls = [1.0], guided
     else:
         hypotheses, worths, best = _chosen(scene, guided)
-        walls = completed(best, hypotheses, worths, scene, guided)
-    if method.bridge_widths and scene.doors and walls.any():
+        walls = best.walls if best.name == ALL_HEAVY else completed(best, hypotheses, worths, scene, guided)
+    if method.bridge_widths and scene.doors and walls.any() and best.name != ALL_HEAVY:
         walls = walls | (window_bridges(walls, scene.sheet.lines, method.bridge_widths * scene.door_width) & ~scene.symbols)
     if not by_doors_alone:
-        walls = of_the_building(walls, best, scene)
+        walls = walls if best.name == ALL_HEAVY else of_the_building(walls, best, scene)
         glass = windows_of(walls, best, scene)
         walls = walls | (between_ends(glass, walls) & scene.drawn & ~scene.symbols)  # not what stands along the wall beside it
     found = sheet.to_input(walls)
@@ -129,14 +132,24 @@ def _nothing(sheet: Sheet, method: Method) -> WallSearch:
 
 
 def _chosen(scene: WallScene, guided: NDArray[np.bool_]) -> tuple[tuple[Hypothesis, ...], list[float], Hypothesis]:
-    """All hypotheses, how far each is trusted, and the best: walls by doors, weight, hue, hatching, cells and hollow bodies."""
+    """All hypotheses, how far each is trusted, and the best: walls by doors, weight, hue, hatching, cells and hollow bodies.
+
+    Where nothing but walls is heavy, all heavy strokes are taken, whatever the others are worth.
+    """
     sizes, outlines = scene.sizes, scene.outlines()
     hypotheses = (judged("doors", guided, sizes), *weight_hypotheses(scene.sheet, scene.without_doors, outlines, sizes))
     worths = worths_of(hypotheses, scene.doors, scene.symbols)
     bodies = hollow_walls(outlines, scene.doors, sizes)
     (worth,) = worths_of([bodies], scene.doors, scene.symbols)
     best = prefer_bodies(choose(hypotheses, worths), bodies, worth, max(worths))
-    return (*hypotheses, bodies), [*worths, worth], best
+    hypotheses, worths = (*hypotheses, bodies), [*worths, worth]
+    heavy = heavy_strokes(scene.sheet.darkness, scene.drawn)
+    if heavy is None or has_other_style(heavy, hypotheses):
+        return hypotheses, worths, best
+    heavy = without_leaves(heavy, (door_ink(scene.sheet, [door]) for door in scene.doors))
+    heavy = without_blocks(heavy, scene.drawn, scene.doors) if is_furnished(heavy, scene.drawn) else heavy
+    best = judged(ALL_HEAVY, heavy, sizes, solid=True)
+    return (*hypotheses, best), [*worths, max(best.quality, *worths)], best
 
 
 def sweeps_from(

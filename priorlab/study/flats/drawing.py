@@ -6,7 +6,7 @@ lines, dimension lines or none.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Literal
 
 import numpy as np
@@ -34,7 +34,9 @@ def draw_flat(flat: LineFlat, look: Look, rng: np.random.Generator) -> tuple[Dra
     return draw_plan(describe_flat(flat, look, rng))
 
 
-def describe_flat(flat: LineFlat, look: Look, rng: np.random.Generator) -> Description:
+def describe_flat(
+    flat: LineFlat, look: Look, rng: np.random.Generator, thickness: Mapping[str, float] | None = None
+) -> Description:
     """A flat as a description that `buildings` draws.
 
     Parameters
@@ -42,8 +44,10 @@ def describe_flat(flat: LineFlat, look: Look, rng: np.random.Generator) -> Descr
     flat : lines in the pixels of its file
     look : of all its walls
     rng : for everything that the file does not say
+    thickness : metres of an "outer", an "inner" wall and a "rail"; by chance when left out
     """
-    thickness = {"outer": float(rng.uniform(0.2, 0.3)), "inner": float(rng.uniform(0.11, 0.15)), "rail": 0.1}
+    by_chance = {"outer": float(rng.uniform(0.2, 0.3)), "inner": float(rng.uniform(0.11, 0.15)), "rail": 0.1}
+    thickness = by_chance if thickness is None else thickness
     plan = plan_of(flat, thickness)
     free = plan.rooms.labels > 0
     doors = hang_doors(plan, free, rng)
