@@ -120,12 +120,17 @@ def test_why_unfit_is_silent_about_a_drawing(room):
     assert why_unfit(room.drawing) == ""
 
 
-def test_extract_walls_of_stripes_says_that_no_building_has_so_much_wall():
+def test_extract_walls_of_stripes_finds_nothing_and_says_where_it_was_lost():
     y, x = np.mgrid[:100, :1500]
     found = extract_walls(Drawing(np.where((x + y) % 12 < 2, 0, 255).astype(np.uint8), name="stripes"))
+    assert not found.walls.mask.any()
     assert found.notes[0].endswith("0 corners, there is no corner of long lines ('corners').")
-    assert found.notes[2].startswith("99 % of stripes was taken for wall, more than any building has")
-    assert found.notes[3].startswith("No piece of wall in stripes is sure, the surest is 0.50")
+    assert found.notes[1].startswith("No wall was found, lost at 'corners'")
+
+
+def test_about_walls_doubts_that_a_building_has_so_much():
+    assert about_walls("stripes", 0.26, [])[0].startswith("26 % of stripes was taken for wall, more than any building has")
+    assert about_walls("stripes", 0.24, []) == []
 
 
 def test_about_walls_doubts_what_is_unsure():

@@ -42,4 +42,4 @@ def test_notes_tell_what_was_left_out(monkeypatch):
     assert not any("as heavy as" in note for note in plain.notes)
     monkeypatch.setattr(extraction, "share_kept", lambda walls, ink: 0.2)
     told = extract_walls(Drawing(grey, name="plain"))
-    assert any(note.startswith("Only 20 % of all that is as heavy as these walls") for note in told.notes)
+    assert any(note.startswith("Only 20 % of the ink as heavy as these walls") for note in told.notes)
