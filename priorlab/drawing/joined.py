@@ -150,13 +150,18 @@ def with_others(
 
 
 def inside_of(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Where walls lie to the left and to the right, above and below.
+    """Where walls lie to the left and to the right, above and below; a building that is cut off goes on beyond the sheet.
 
-    >>> inside_of(np.array([[0, 1, 0], [1, 0, 1], [0, 1, 0]], dtype=bool)).astype(int).tolist()
+    >>> inside_of(np.pad(np.array([[0, 1, 0], [1, 0, 1], [0, 1, 0]], dtype=bool), 1)).astype(int)[1:-1, 1:-1].tolist()
     [[0, 1, 0], [1, 1, 1], [0, 1, 0]]
+    >>> inside_of(np.array([[0, 1, 0, 0], [0, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 0]], dtype=bool)).astype(int).tolist()
+    [[0, 1, 0, 0], [0, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 0]]
     """
-    seen = [np.maximum.accumulate(walls, axis=axis) for axis in (0, 1)]
-    seen += [np.flip(np.maximum.accumulate(np.flip(walls, axis), axis=axis), axis) for axis in (0, 1)]
+    seen = []
+    for axis in (0, 1):
+        for way in (walls, np.flip(walls, axis)):
+            found = np.maximum.accumulate(way, axis=axis) | way.take(0, axis=axis).any()
+            seen.append(found if way is walls else np.flip(found, axis))
     return np.logical_and.reduce(seen)
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from priorlab.core.drawing import Door
 from priorlab.drawing.deskew import turn_by
-from priorlab.drawing.strokes import common_thickness
+from priorlab.drawing.strokes import common_thickness, thinner_run
 from priorlab.drawing.wall_sizes import WallSizes
 from priorlab.drawing.weight import with_openings
 from priorlab.drawing.window_search import wing_angles
@@ -31,18 +31,26 @@ AT_JAMB = 0.15
 BLOCK = 3.0
 """A block is at most so many wall thicknesses long."""
 
+AS_THICK = 0.5
+"""Pieces to which lines lead are so much as thick as walls are."""
+
 FREE = 0.9
 """So much of the ink that hangs together with a block, at least, is the block itself."""
 
 
 def of_network(
-    walls: NDArray[np.bool_], doors: Sequence[Door], sizes: WallSizes, ink: NDArray[np.bool_] | None = None
+    walls: NDArray[np.bool_],
+    doors: Sequence[Door],
+    sizes: WallSizes,
+    ink: NDArray[np.bool_] | None = None,
+    lines: NDArray[np.bool_] | None = None,
 ) -> NDArray[np.bool_]:
     """Walls that hang together, across doors and windows: no frame, no title block, no furniture that stands alone.
 
     A piece stays when a door's jamb stands at it. Another one stays when it holds `ALONE` of all walls and, where a piece with
     doors is there, `DOORLESS` of that one and does not go round it. Where ink is given, it must lead from piece to piece, as the
-    lines of a window do; else any gap as long as an opening will do.
+    lines of a window do; else any gap as long as an opening will do. A piece about as thick as walls stays, too, when `lines`
+    lead to it from those that stay.
     """
     if ink is None:
         whole = cv2.dilate(walled_up(walls, sizes).astype(np.uint8), np.ones((5, 5), np.uint8))
@@ -62,7 +70,21 @@ def of_network(
     main = int(np.argmax(np.where(held, area, 0)))
     if held[main] and area[main] >= DOORLESS * area.max():  # else a false door may hang on a cupboard
         keep &= (area >= DOORLESS * area[main]) & ~_round_it(np.asarray(boxes, dtype=np.int32), main)
-    return walls & (keep | held)[nets]
+    found = walls & (keep | held)[nets]
+    return found if lines is None else found | _led_to(walls & ~found, found, lines)
+
+
+def _led_to(pieces: NDArray[np.bool_], walls: NDArray[np.bool_], lines: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Pieces that are linked with walls by lines, and about as thick."""
+    if not pieces.any() or not walls.any():
+        return np.zeros_like(walls)
+    _, parts = cv2.connectedComponents((walls | pieces | lines).astype(np.uint8), connectivity=8)
+    linked = np.zeros(int(parts.max()) + 1, dtype=bool)
+    linked[np.unique(parts[walls])] = True
+    n_pieces, number = cv2.connectedComponents((pieces & linked[parts]).astype(np.uint8), connectivity=8)
+    across, least = thinner_run(pieces), AS_THICK * common_thickness(walls)
+    thick = [k for k in range(1, n_pieces) if np.median(across[number == k]) >= least]
+    return np.isin(number, thick)
 
 
 def walled_up(walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:

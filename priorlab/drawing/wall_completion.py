@@ -76,7 +76,8 @@ def of_the_building(walls: NDArray[np.bool_], best: Hypothesis, scene: WallScene
     if best.name == HATCHED:
         walls = of_network(walls, scene.doors, sizes, outlines)
     else:
-        walls = of_network(without_lone_bars(walls, wall_sizes(scene.sheet.long_side)), scene.doors, sizes)
+        lines = outlines if best.solid else None
+        walls = of_network(without_lone_bars(walls, wall_sizes(scene.sheet.long_side)), scene.doors, sizes, lines=lines)
     walls = without_blocks(walls, scene.sheet.walls, scene.doors)
     return walls | (narrow_gaps(walls) & scene.drawn & ~scene.sheet.walls)
 

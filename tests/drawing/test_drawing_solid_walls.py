@@ -145,6 +145,20 @@ def test_door_agreement_of_walls_without_jambs_is_a_quarter():
     assert door_agreement(_ring(), [Door((60, 100), (60, 140), (100, 100))], nothing) == 1.0
 
 
+def test_of_network_keeps_a_wall_to_which_lines_lead_and_no_thin_one():
+    walls, ink = _ring(), np.zeros((260, 400), dtype=bool)
+    walls[30:40, 100:300] = False  # too wide for an opening
+    far = np.zeros_like(walls)
+    far[30:40, 190:215] = True
+    door = Door((55, 100), (55, 140), (95, 100))
+    ink[34, 100:300] = True
+    assert not of_network(walls | far, [door], SIZES)[far].any()
+    assert np.array_equal(of_network(walls | far, [door], SIZES, lines=ink), walls | far)
+    assert not of_network(walls | far, [door], SIZES, lines=ink & (np.arange(400) > 230) & (np.arange(400) < 280))[far].any()
+    far[33:40] = False
+    assert not of_network(walls | far, [door], SIZES, lines=ink)[far].any()
+
+
 def test_of_network_drops_furniture_that_stands_alone():
     walls, stray, leaf = _ring(), np.zeros((260, 400), dtype=bool), np.zeros((260, 400), dtype=bool)
     stray[120:126, 150:190] = True
