@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from priorlab.core.drawing import Drawing
-from priorlab.drawing import extraction
+from priorlab.drawing import remarks
 from priorlab.drawing.extraction import extract_walls
 from priorlab.drawing.left_out import share_kept
 
@@ -40,6 +40,6 @@ def test_notes_tell_what_was_left_out(monkeypatch):
     cv2.rectangle(grey, (40, 40), (360, 260), 0, 8)
     plain = extract_walls(Drawing(grey, name="plain"))
     assert not any("as heavy as" in note for note in plain.notes)
-    monkeypatch.setattr(extraction, "share_kept", lambda walls, ink: 0.2)
+    monkeypatch.setattr(remarks, "share_kept", lambda walls, ink: 0.2)
     told = extract_walls(Drawing(grey, name="plain"))
     assert any(note.startswith("Only 20 % of the ink as heavy as these walls") for note in told.notes)
