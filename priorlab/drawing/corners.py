@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from priorlab.core.drawing import Drawing
 from priorlab.drawing.method import ROBUST, Method
+from priorlab.drawing.narrow_cells import with_narrow_cells
 from priorlab.drawing.preprocessing import large_components, prepare
 from priorlab.drawing.sheet import Sheet
 from priorlab.drawing.tiles import in_tiles
@@ -42,7 +43,7 @@ def detect_corners(drawing: Drawing, n_corners: int | None = None, method: Metho
     ----------
     drawing : the drawing
     n_corners : how many to keep, in every tile; `method.n_corners` by default
-    method : `ROBUST` looks only at long pieces of ink, so that the budget is not spent on text
+    method : `ROBUST` looks only at long pieces of ink, so that the budget is not spent on text, nor on hatching
 
     Returns
     -------
@@ -65,7 +66,8 @@ def corners_of(sheet: Sheet, n_corners: int, method: Method) -> NDArray[np.float
     where: NDArray[np.uint8] | None = None
     image = 255 - sheet.darkness
     if method.component_share > 0:
-        lines = large_components(sheet.lines, method.component_share * sheet.long_side)
+        lines = with_narrow_cells(sheet.lines, method.cell_share * sheet.long_side) if method.cell_share > 0 else sheet.lines
+        lines = large_components(lines, method.component_share * sheet.long_side)
         image = np.where(lines, 0, 255).astype(np.uint8)  # grey leaves count as much as black walls
         where = np.asarray(cv2.dilate(lines.astype(np.uint8), np.ones((5, 5), np.uint8)), dtype=np.uint8)
     spacing = max(method.corner_spacing, method.corner_spacing_share * sheet.long_side)
