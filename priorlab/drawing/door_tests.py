@@ -164,18 +164,12 @@ def geometry(some: Shortlist) -> tuple[Measure, ...]:
     method, sides = some.scene.method, side_lengths(some.triangles)
     angles, alike = angles_deg(sides), nearest_to_equal(sides, method.rounding)
     bounds = method.min_largest_angle - 1e-9, method.max_largest_angle
-    least_alike = method.isosceles_ratio - (_slack(sides[:, 1]) if method.min_equal > 0 else 0.0)
     return (
         Measure("open side, px", sides[:, 1], method.min_side, some.scene.longest),
-        Measure("ratio of the two sides most alike", alike, least_alike, strict=True),
+        Measure("ratio of the two sides most alike", alike, method.isosceles_ratio, strict=True),
         Measure("largest angle, degrees", angles.max(axis=1), *bounds),
         Measure("smallest angle, degrees", angles.min(axis=1), max(method.min_angle, 1e-3)),
     )
-
-
-def _slack(open_side: NDArray[np.float64]) -> NDArray[np.float64]:
-    """(K,) how much less equal the sides of a triangle may measure because its corners lie beside them."""
-    return CORNER_OFF / np.maximum(open_side, 1e-9)
 
 
 def orientation(some: Shortlist) -> tuple[Measure, ...]:
@@ -193,7 +187,8 @@ def symbol(some: Shortlist) -> tuple[Measure, ...]:
     """There is ink where a leaf and its swing would be, the leaf fits the opening, and neither goes on beyond its tip."""
     method, seen = some.scene.method, some.symbols
     alone = seen.is_alone & method.lone_leaves
-    least_equal = np.where(alone, SURE_EQUAL, method.min_equal - np.where(seen.has_arc, _slack(seen.width), 0.0))
+    slack = np.where(seen.has_arc, CORNER_OFF / np.maximum(seen.width, 1e-9), 0.0)
+    least_equal = np.where(alone, SURE_EQUAL, method.min_equal - slack)
     measures = (
         Measure("ink along the leaf", seen.leaf, np.where(alone, np.maximum(SURE_INK, method.min_leaf), method.min_leaf)),
         Measure("ink along the arc or chord", seen.swing, np.where(alone, 0.0, method.min_arc)),
