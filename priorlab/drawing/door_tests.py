@@ -24,6 +24,9 @@ SURE_SUPPORT = 0.97
 SURE_INK = 0.9
 """Share of ink along both sides of a door without an arc."""
 
+CORNER_OFF = 2.0
+"""A corner lies so many pixels beside what it stands for: the sides of a small leaf measure that much less equal."""
+
 PAIR_INK = 2.5
 """The open side of a double door's leaf may hold so many times as much ink."""
 
@@ -184,11 +187,13 @@ def symbol(some: Shortlist) -> tuple[Measure, ...]:
     """There is ink where a leaf and its swing would be, the leaf fits the opening, and neither goes on beyond its tip."""
     method, seen = some.scene.method, some.symbols
     alone = seen.is_alone & method.lone_leaves
+    slack = np.where(seen.has_arc, CORNER_OFF / np.maximum(seen.width, 1e-9), 0.0)
+    least_equal = np.where(alone, SURE_EQUAL, method.min_equal - slack)
     measures = (
         Measure("ink along the leaf", seen.leaf, np.where(alone, np.maximum(SURE_INK, method.min_leaf), method.min_leaf)),
         Measure("ink along the arc or chord", seen.swing, np.where(alone, 0.0, method.min_arc)),
         Measure("ink along the chord of an arc", np.where(seen.has_arc, seen.chord, 0.0), None, method.max_chord),
-        Measure("shorter over longer of leaf and open side", seen.equal, np.where(alone, SURE_EQUAL, method.min_equal)),
+        Measure("shorter over longer of leaf and open side", seen.equal, least_equal),
         Measure("angle of an arc, degrees", np.where(seen.has_arc, seen.opening_deg, 90.0), method.min_arc_angle),
         Measure("ink beyond the tip", seen.beyond, None, method.max_beyond),
     )
@@ -215,7 +220,10 @@ def open_side(some: Shortlist) -> tuple[Measure, ...]:
 
 
 def jamb_support(some: Shortlist) -> tuple[Measure, ...]:
-    """Both jambs stand at walls, or the strike at another leaf's; a door without an arc must be surer of all it has."""
+    """Both jambs stand at walls, or the strike at another leaf's; a door without an arc must be surer of all it has.
+
+    A door that meets no other leaf must be as equal as the symbol asks, even where it is small.
+    """
     least, seen, jambs = some.scene.method.min_support, some.symbols, some.jambs
     paired = meets_other_leaf(seen, jambs, least)
     at_strike = np.where(paired, 1.0, jambs.strike_support)
@@ -223,7 +231,9 @@ def jamb_support(some: Shortlist) -> tuple[Measure, ...]:
     arc = seen.has_arc
     support = np.where(arc, least, np.maximum(least, SURE_SUPPORT))
     sides = np.minimum(seen.leaf, np.where(seen.is_alone, 1.0, seen.chord))
+    equal = np.where(paired | ~arc, 1.0, seen.equal)
     return (
+        Measure("shorter over longer of leaf and open side, without another leaf", equal, some.scene.method.min_equal),
         Measure("wall beyond the hinge", jambs.hinge_support, support),
         Measure("wall or leaf beyond the strike", at_strike, support),
         Measure("length of what stands at the jambs, in widths", length, np.where(paired, 0.0, LONG_WALL)),

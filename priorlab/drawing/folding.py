@@ -102,12 +102,17 @@ def _rows(folds: NDArray[np.float64]) -> list[tuple[NDArray, NDArray, NDArray]]:
     height = np.abs(base[:, 0] * (tip - start)[:, 1] - base[:, 1] * (tip - start)[:, 0]) / np.maximum(length, 1e-9)
     side = np.sign(base[:, 0] * (tip - start)[:, 1] - base[:, 1] * (tip - start)[:, 0])
     rows = []
+    order = np.argsort(start[:, 0], kind="stable")  # there may be tens of thousands: look only in the same columns
+    first = np.searchsorted(start[order, 0], end[:, 0] - OFF * length - 1)
+    last = np.searchsorted(start[order, 0], end[:, 0] + OFF * length + 1)
     for k in range(len(both)):
-        near = np.hypot(*(start - end[k]).T) <= OFF * length[k]
-        near &= np.minimum(length, length[k]) >= ALIKE * np.maximum(length, length[k])
-        near &= np.minimum(height, height[k]) >= ALIKE * np.maximum(height, height[k])
-        near &= (base @ base[k] > 0.95 * length * length[k]) & (side == side[k])
-        for other in np.flatnonzero(near):
+        some = np.sort(order[first[k] : last[k]])
+        near = np.hypot(*(start[some] - end[k]).T) <= OFF * length[k]
+        some = some[near]
+        near = np.minimum(length[some], length[k]) >= ALIKE * np.maximum(length[some], length[k])
+        near &= np.minimum(height[some], height[k]) >= ALIKE * np.maximum(height[some], height[k])
+        near &= (base[some] @ base[k] > 0.95 * length[some] * length[k]) & (side[some] == side[k])
+        for other in some[near]:
             gap = float(np.hypot(*(start[other] - end[k]))) / length[k] + abs(length[other] - length[k]) / length[k]
             rows.append((gap, tip[k], start[k], end[other]))
     return [row[1:] for row in sorted(rows, key=lambda row: row[0])]

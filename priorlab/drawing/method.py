@@ -19,6 +19,7 @@ class Method:
     corner_quality : weakest corner kept, as a share of the strongest response
     corner_spacing, corner_spacing_share : corners nearer than this are one, pixels, or share of M where that is more
     component_share : corners and line weights only on ink components longer than this share of M; 0 takes all ink
+    cell_share : corners not inside cells where a disc of this share of M has no room: hatching, panes; 0 looks there too
     line_darkness : distance from the paper above which a pixel is ink of a line (0-255)
     wall_darkness : the same for walls; None takes Otsu's threshold
     deskew : a sheet laid askew is turned straight first, and wide margins are cut off
@@ -61,6 +62,7 @@ class Method:
     corner_spacing: float = 3.0
     corner_spacing_share: float = 0.0
     component_share: float = 0.0
+    cell_share: float = 0.0
     line_darkness: int = 127
     wall_darkness: int | None = 127
     deskew: bool = False
@@ -116,6 +118,7 @@ ROBUST = Method(
     corner_quality=0.003,
     corner_spacing_share=0.003,
     component_share=0.04,
+    cell_share=0.01,
     line_darkness=55,
     wall_darkness=None,
     deskew=True,
