@@ -113,6 +113,13 @@ def test_renderings_table_of_rows_that_are_right_and_empty(flats):
     assert float(table[-1].split()[-1]) > 60  # the simple filter reads them
 
 
+def test_real_flats_rendered_have_an_iou_above_95(flats):
+    rows = score_renderings(flats, "held_back", every=24)
+    print(renderings_table(rows))
+    assert np.mean([row.score.iou for row in rows]) >= 0.95
+    assert np.mean([row.score.iou for row in rows]) > np.mean([row.simple.iou for row in rows])
+
+
 def test_rendering_of_a_flat_is_the_same_each_time(flats):
     one, other = (rendering_of(flats, 2, look("furnished")) for _ in range(2))
     np.testing.assert_array_equal(one[0].grey, other[0].grey)
