@@ -33,6 +33,8 @@ def check_doors(doors: Sequence[Door], shape: tuple[int, int]) -> None:
             raise ValueError(f"{name} must have three points of two numbers, got {points}") from None
         if not (np.isfinite(door.points).all() and _within(x, width) and _within(y, height)):
             raise ValueError(f"{name} must lie on the drawing, {width} x {height} pixels, got {points}")
+        if not door.width > 0:
+            raise ValueError(f"{name} must have hinge and strike apart, got {points}")
         if door.width > max(shape) / 2:
             raise ValueError(f"{name} must be at most half as wide as the drawing, {max(shape) / 2:g} pixels, got {door.width:g}")
 

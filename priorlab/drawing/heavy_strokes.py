@@ -21,7 +21,7 @@ ALL_HEAVY = "all heavy strokes"
 """Name of the hypothesis that takes them."""
 
 LEAST, MOST = 3, 6
-"""Strokes that may be heavy, pixels: the first of these at which nothing but walls is left."""
+"""Strokes that may be heavy, pixels: the first width at which what is left looks like walls is taken."""
 
 CORE = 0.75
 """Heavy strokes hold squares of pixels this share as dark as the darkest beside them; crossings of thin lines do not."""

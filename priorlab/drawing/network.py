@@ -38,6 +38,16 @@ FREE = 0.9
 """So much of the ink that hangs together with a block, at least, is the block itself."""
 
 
+CLEAR = 0.02
+"""A frame is so far from a building all round, and a mark beside it, as a share of M."""
+
+FRAME_SPAN = 0.85
+"""A frame is at least so wide and high, as shares of the sheet."""
+
+MARK = 0.1
+"""The box round a mark is no larger than this share of the building's."""
+
+
 def of_network(
     walls: NDArray[np.bool_],
     doors: Sequence[Door],
@@ -122,3 +132,51 @@ def _round_it(boxes: NDArray[np.int32], main: int) -> NDArray[np.bool_]:
     left, top = boxes[:, cv2.CC_STAT_LEFT], boxes[:, cv2.CC_STAT_TOP]
     right, bottom = left + boxes[:, cv2.CC_STAT_WIDTH], top + boxes[:, cv2.CC_STAT_HEIGHT]
     return (left < left[main]) & (top < top[main]) & (right > right[main]) & (bottom > bottom[main])
+
+
+def without_marks(walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:
+    """Walls without a closed frame that goes clear round the others, and without what lies small and clear beside these in it.
+
+    On a sheet with a frame these are title blocks, north arrows and scale bars; without one, piers and parapets of the building.
+
+    >>> walls = np.zeros((100, 120), dtype=bool); walls[[15, 84], 20:100] = walls[15:85, [20, 99]] = True
+    >>> marks = np.zeros_like(walls); marks[[2, 97], 2:118] = marks[2:98, [2, 117]] = True  # a frame
+    >>> marks[92:95, 108:114] = True  # a block beside the building
+    >>> bool((without_marks(walls | marks, WallSizes(120, 4)) == walls).all())
+    True
+    """
+    framed, far = walls, CLEAR * max(walls.shape)
+    walls = _without_frame(framed)
+    if walls is framed:
+        return walls
+    whole = cv2.dilate(walled_up(walls, sizes).astype(np.uint8), np.ones((5, 5), np.uint8))
+    nets, low, high, extent = _boxes(whole.astype(bool))
+    main = int(extent.argmax())
+    beside = ((low - far > high[main]) | (high + far < low[main])).any(axis=1) & (extent < MARK * extent[main])
+    return walls & ~beside[nets]
+
+
+def _without_frame(walls: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Walls without a closed ring as large as the sheet that goes clear round all others."""
+    parts, low, high, extent = _boxes(walls)
+    ring = int(extent.argmax())
+    others = extent > 0
+    others[ring] = False
+    if not others.any() or (high[ring] - low[ring] < FRAME_SPAN * np.array(walls.shape[::-1])).any():
+        return walls
+    first, last, far = low[others].min(axis=0), high[others].max(axis=0), CLEAR * max(walls.shape)
+    clear = (first - low[ring] > far).all() and (high[ring] - last > far).all()
+    if not clear or (last - first).prod() < DOORLESS * extent[ring]:
+        return walls
+    white = np.pad(parts != ring, 1, constant_values=True).astype(np.uint8)
+    rooms = cv2.connectedComponents(white, connectivity=4)[1]
+    is_open = (rooms[1:-1, 1:-1][others[parts]] == rooms[0, 0]).any()
+    return walls if is_open else walls & (parts != ring)
+
+
+def _boxes(mask: NDArray[np.bool_]) -> tuple[NDArray[np.int32], NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """Labels of 8-connected pieces, the corners x, y of the boxes round them, and the area of each box; 0 of what is no piece."""
+    n_parts, parts, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
+    low = stats[:, :2].astype(np.int64)
+    size = stats[:, 2:4].astype(np.int64)
+    return np.asarray(parts, dtype=np.int32), low, low + size, size.prod(axis=1) * (np.arange(n_parts) > 0)

@@ -21,6 +21,9 @@ TONE = 24
 SHARE = 0.05
 """A drawing is painted when rooms make up so much of it."""
 
+DARKER = 60
+"""Closets and openings are darker than the darkest room by no more than this, of 255."""
+
 PALE = 0.5
 """Paint is at most so far from the paper as the darkest ink."""
 
@@ -55,6 +58,7 @@ def local_paper(image: NDArray[np.uint8]) -> NDArray[np.uint8] | None:
     rooms = cv2.morphologyEx(pale.astype(np.uint8), cv2.MORPH_OPEN, np.ones((side, side), np.uint8)).astype(bool)
     if (rooms & (apart >= TONE)).mean() < SHARE:
         return None
+    pale &= apart <= apart[rooms].max() + DARKER  # what is darker than all rooms is a pale wall
     patches = cv2.erode(pale.astype(np.uint8), square).astype(bool)  # flat at its rim, too: a square of PATCH pixels
     _, nearest = cv2.distanceTransformWithLabels(
         (~patches).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_5, labelType=cv2.DIST_LABEL_PIXEL

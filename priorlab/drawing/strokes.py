@@ -16,9 +16,9 @@ HALF = 0.45
 """Of a pixel that a line covers half, so much of full darkness is left at least."""
 
 
-def half_covered(darkness: NDArray[np.uint8], ink: NDArray[np.bool_], share: float = HALF) -> NDArray[np.bool_]:
-    """Pixels about half as dark as full ink, or another share: half of them, or more, is covered by a line."""
-    return darkness >= (share * np.percentile(darkness[ink], 98) if ink.any() else 255)
+def half_covered(darkness: NDArray[np.uint8], ink: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Pixels about half as dark as full ink: half of them, or more, is covered by a line."""
+    return darkness >= (HALF * np.percentile(darkness[ink], 98) if ink.any() else 255)
 
 
 def stroke_widths(ink: NDArray[np.bool_], largest: int = 24) -> NDArray[np.uint8]:

@@ -119,7 +119,7 @@ def door_agreement(walls: NDArray[np.bool_], doors: Sequence[Door], symbols: NDA
     return float((JAMBLESS + (1 - JAMBLESS) * on_walls) * (1 - 0.8 * mistaken))
 
 
-def prefer_bodies(best: Hypothesis, bodies: Hypothesis, worth: float = 0.0, most: float = 1.0) -> Hypothesis:
+def prefer_bodies(best: Hypothesis, bodies: Hypothesis, worth: float, most: float) -> Hypothesis:
     """Bodies of hollow walls in the place of the best other hypothesis; no hue is hollow.
 
     They make up `HOLLOW` of it; or they are worth as much as the most that any other is worth, and nothing is hatched.

@@ -16,7 +16,7 @@ from priorlab.drawing.given_doors import check_doors
 from priorlab.drawing.heavy_strokes import ALL_HEAVY, heavy_strokes, is_furnished, without_leaves
 from priorlab.drawing.joined import between_ends
 from priorlab.drawing.method import ROBUST, Method
-from priorlab.drawing.network import without_blocks
+from priorlab.drawing.network import without_blocks, without_marks
 from priorlab.drawing.outer_walls import outer_walls
 from priorlab.drawing.pieces import WallPiece, wall_pieces
 from priorlab.drawing.preprocessing import prepare
@@ -147,6 +147,7 @@ def _chosen(scene: WallScene, guided: NDArray[np.bool_]) -> tuple[tuple[Hypothes
     if heavy is None or has_other_style(heavy, hypotheses):
         return hypotheses, worths, best
     heavy = without_leaves(heavy, (door_ink(scene.sheet, [door]) for door in scene.doors))
+    heavy = without_marks(heavy, sizes)
     heavy = without_blocks(heavy, scene.drawn, scene.doors) if is_furnished(heavy, scene.drawn) else heavy
     best = judged(ALL_HEAVY, heavy, sizes, solid=True)
     return (*hypotheses, best), [*worths, max(best.quality, *worths)], best

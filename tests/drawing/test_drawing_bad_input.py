@@ -182,6 +182,7 @@ def test_first_corners_are_as_many_as_the_bound_lets(most):
         ("x", "must be a Door, got str"),
         (Door((np.nan, 1), (20, 1), (1, 20)), "must lie on the drawing"),
         (Door((1e12, 1), (20, 1), (1, 20)), "must lie on the drawing"),
+        (Door((5, 5), (5, 5), (5, 5)), "must have hinge and strike apart"),
         (Door((0, 0), (400, 0), (0, 400)), "must be at most half as wide"),
         (Door(("a", 1), (20, 1), (1, 20)), "must have three points of two numbers"),
     ],

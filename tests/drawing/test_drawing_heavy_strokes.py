@@ -105,7 +105,7 @@ def test_without_leaves_takes_off_what_swings_and_no_wall():
     arc[153:190, 294] = True
     leaf = heavy & ~walls
     np.testing.assert_array_equal(without_leaves(heavy, [leaf | arc]), walls)
-    np.testing.assert_array_equal(without_leaves(walls, [walls[:] & (np.arange(500) > 420)]), walls)  # no arc: a wall
+    np.testing.assert_array_equal(without_leaves(walls, [walls & (np.arange(500) > 420)]), walls)  # no arc: a wall
 
 
 def test_is_furnished():
@@ -128,7 +128,6 @@ def test_extract_walls_keeps_all_walls_of_a_rendering(furnished):
     assert ALL_HEAVY in [hypothesis.name for hypothesis in found.hypotheses]
     score = score_mask(found.walls.mask, Truth(walls, np.zeros_like(walls)))
     assert score.iou > 0.99
-    assert min(piece.confidence for piece in found.pieces) >= 0
 
 
 def test_extract_walls_drops_blocks_between_furniture_alone():

@@ -6,9 +6,9 @@ import pytest
 
 from priorlab.core.drawing import Door
 from priorlab.drawing.faces import tidy
-from priorlab.drawing.network import of_network, walled_up, without_blocks
+from priorlab.drawing.network import of_network, walled_up, without_blocks, without_marks
 from priorlab.drawing.valleys import narrow_gaps, valleys
-from priorlab.drawing.wall_sizes import WallSizes
+from priorlab.drawing.wall_sizes import WallSizes, wall_sizes
 
 SIZES = WallSizes(200, 8)
 
@@ -101,3 +101,30 @@ def test_without_blocks_keeps_long_walls_that_stand_alone():
     walls = np.zeros((60, 90), dtype=bool)
     walls[10:18, 5:85] = walls[40:48, 10:60] = True
     assert np.array_equal(without_blocks(walls, walls, []), walls)
+
+
+def ringed(gap=0):
+    """Walls of two rooms in a frame, with a gap in it."""
+    walls, frame = np.zeros((2, 200, 300), dtype=bool)
+    walls[50:150, [60, 150, 239]] = walls[[50, 149], 60:240] = True
+    frame[[5, 194], 5:295] = frame[5:195, [5, 294]] = True
+    frame[5, 100 : 100 + gap] = False
+    return walls, frame
+
+
+def test_without_marks_takes_a_closed_frame_off_alone():
+    walls, frame = ringed()
+    np.testing.assert_array_equal(without_marks(walls | frame, wall_sizes(300)), walls)
+    walls, frame = ringed(gap=40)  # a way in: outer walls with a free core
+    np.testing.assert_array_equal(without_marks(walls | frame, wall_sizes(300)), walls | frame)
+    np.testing.assert_array_equal(without_marks(frame, wall_sizes(300)), frame)  # nothing in it
+
+
+def test_without_marks_takes_small_things_beside_the_building_off_where_there_is_a_frame():
+    walls, frame = ringed()
+    arrow, pier, wing = np.zeros((3, 200, 300), dtype=bool)
+    arrow[20:30, 270:280] = pier[100:104, 100:104] = True
+    wing[60:140, [250, 280]] = wing[[60, 139], 250:281] = True
+    np.testing.assert_array_equal(without_marks(walls | pier | arrow | frame, wall_sizes(300)), walls | pier)
+    np.testing.assert_array_equal(without_marks(walls | wing | frame, wall_sizes(300)), walls | wing)
+    np.testing.assert_array_equal(without_marks(walls | arrow, wall_sizes(300)), walls | arrow)

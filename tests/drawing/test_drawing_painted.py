@@ -55,3 +55,13 @@ def test_extract_walls_of_painted_rooms_is_that_of_white_ones():
     found = [extract_walls(Drawing(image.mean(axis=2).astype(np.uint8), image)).walls.mask for image in (painted, white)]
     np.testing.assert_array_equal(found[0], walls)
     np.testing.assert_array_equal(found[1], walls)
+
+
+def test_local_paper_takes_no_pale_wall_for_paint():
+    image = np.full((200, 300, 3), 255, dtype=np.uint8)
+    image[20:180, 20:140], image[20:180, 150:280] = (240, 225, 200), (215, 235, 220)
+    image[20:180, 140:150] = 130  # a grey wall between them, paler than half of the black line
+    image[100, 20:280] = 0
+    paper = local_paper(image)
+    assert paper[50, 80].tolist() == [240, 225, 200] and paper[50, 200].tolist() == [215, 235, 220]
+    assert paper[60, 145].min() > 195
