@@ -182,7 +182,8 @@ def with_openings(walls: NDArray[np.bool_], sizes: WallSizes, widest: float = OP
     for axis in (0, 1):
         ends = gap_ends(walls, widest * sizes.long_side, axis)
         across = run_lengths(ends > 0, 1 - axis)
-        whole |= (across > 0) & (across <= 1.5 * sizes.thickness) & (ends >= END_WALL * across)
+        narrow = np.nonzero((across > 0) & (across <= 1.5 * sizes.thickness))
+        whole[narrow] |= ends[narrow] >= END_WALL * across[narrow]
     return whole
 
 
