@@ -38,7 +38,7 @@ from priorlab.slam.state import State
 EVERY = 50
 """Steps between two records: what a crash may cost at most."""
 
-_FORMAT = "priorlab checkpoint 2"
+_FORMAT = "priorlab checkpoint 3"
 _GENERATORS = ("PCG64", "PCG64DXSM", "MT19937", "Philox", "SFC64")
 
 Progress = Callable[[int, int], None]

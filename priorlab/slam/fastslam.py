@@ -15,6 +15,7 @@ from priorlab.core.readings import RobotLog
 from priorlab.core.shipped import nearest_name
 from priorlab.mapping.overruled import warn_when_overruled
 from priorlab.slam.estimate import estimate_pose
+from priorlab.slam.impassable import Impassable
 from priorlab.slam.lagging_field import LaggingField
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.localization import choose, predict, weigh
@@ -110,6 +111,7 @@ class FastSLAM:
             prior_map=prior_map,
             log=log,
             plan=plan,
+            impassable=Impassable.of(prior_map, parameters) if parameters.p_through_wall < 1 else None,
             way_m=np.cumsum(steps_m),
             weighs=weighs,
             resamples=weighs & (np.cumsum(weighs) % parameters.resampling_interval == 0),
@@ -135,7 +137,7 @@ class FastSLAM:
             raise ValueError(f"step must be below the {len(state.log)} scans of the log, got {state.step}")
         parameters, log, k = self.parameters, state.log, state.step
         scan = choose_beams(log, k, parameters)
-        moved = predict(state.particles, log.odometry[max(k - 1, 0)], log.odometry[k], state.rng, parameters)
+        moved = predict(state.particles, log.odometry[max(k - 1, 0)], log.odometry[k], state.rng, parameters, state.impassable)
         weighed = moved
         if state.weighs[k]:
             weighed = state.own.weigh(moved, scan) if state.own else weigh(moved, scan, state.field)

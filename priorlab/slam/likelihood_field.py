@@ -40,6 +40,11 @@ def distance_to_boundary(occupied: NDArray[np.bool_], max_distance: float) -> ND
     return np.minimum(distance, np.float32(max_distance))
 
 
+def obstacles_of(log_odds_map: NDArray[np.float64], parameters: Parameters = TUNED) -> NDArray[np.bool_]:
+    """True where a cell is an obstacle: P(empty) below `parameters.occupied_below`; a cell on the threshold is none."""
+    return log_odds_map < log_odds(parameters.occupied_below) - 1e-9
+
+
 def log_likelihood_of(distance_m: NDArray, parameters: Parameters = TUNED) -> NDArray[np.float32]:
     """log(z_hit prob(dist, sigma_hit) + z_random / z_max) of algorithm 6.4; prob is the normalized Gaussian, z_max the range.
 
@@ -92,8 +97,8 @@ class LikelihoodField:
         return field
 
     def occupied(self, log_odds_map: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """True where a cell is an obstacle; a cell on the threshold is none."""
-        return log_odds_map < log_odds(self.parameters.occupied_below) - 1e-9
+        """`obstacles_of` the map, by the parameters that the field was made with."""
+        return obstacles_of(log_odds_map, self.parameters)
 
     @property
     def far(self) -> float:

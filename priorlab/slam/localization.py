@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from priorlab.core.checks import check_record
+from priorlab.slam.impassable import Impassable
 from priorlab.slam.kld import kld_count, number_bins, pose_bins
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.measurement import log_weights
@@ -37,11 +38,20 @@ class Localized(Protocol):
 
 
 def predict(
-    particles: Particles, before: ArrayLike, after: ArrayLike, rng: np.random.Generator, parameters: Parameters = TUNED
+    particles: Particles,
+    before: ArrayLike,
+    after: ArrayLike,
+    rng: np.random.Generator,
+    parameters: Parameters = TUNED,
+    impassable: Impassable | None = None,
 ) -> Particles:
-    """x_k^[j] = SampleMotionModel(u_k, x_{k-1}^[j]) for all j."""
+    """x_k^[j] = SampleMotionModel(u_k, x_{k-1}^[j]) for all j; with the plan's walls, those that drove into one lose weight."""
     check_record("particles", particles, Particles)
-    return Particles(sample_motion(particles.poses, before, after, rng, parameters), particles.log_weights)
+    poses = sample_motion(particles.poses, before, after, rng, parameters)
+    if impassable is None:
+        return Particles(poses, particles.log_weights)
+    check_record("impassable", impassable, Impassable)
+    return Particles(poses, particles.log_weights + impassable.log_weights(particles.poses, poses))
 
 
 def weigh(particles: Particles, scan: Scan, field: LikelihoodField) -> Particles:

@@ -50,6 +50,9 @@ class Parameters:
     noise : what `sample(b)` draws: "variance" takes b as a variance (as the algorithm's source has it), "std" as a deviation
     rotation_noise : "symmetric" measures a rotation to the nearer of 0 and pi, so that a tiny odometry translation in a turn on
         the spot, whose direction is chance, is not taken for a turn by pi; "literal" as printed
+    p_through_wall : share of its weight that a particle keeps when it drives into a wall of the plan (`Impassable`); 1 asks
+        nothing of it, as printed. Not 0: a plan may wall up a doorway
+    robot_radius_m : a robot's centre comes no nearer to a wall than this. 0.15 is a little less than a TurtleBot's 0.18
     n_beams : beams of a scan that weigh, spread evenly over those with a return (Table 6.1)
     sigma_hit_m : deviation of a beam's end from an obstacle, sigma_hit; Table 6.1 prints 0.2
     z_random : weight of unexplained readings; z_hit is the rest. Table 6.1 prints 0.05; see the note on furniture
@@ -81,19 +84,22 @@ class Parameters:
     The defaults are `TUNED`. They hold on `office_floor`, whose world has furniture, open door leaves and two doorways that the
     plan lacks, and on furnished real buildings with their clean plans (`priorlab.study.clutter_pairs`).
 
-    - A Gaussian of 0.2 m with z_random = 0.5 pulls the leaves of doors onto the nearest wall: the robot is lost within 7 m (ATE
-      0.9 to 1.7 m). A narrow Gaussian with heavy tails leaves aside what the plan does not explain (0.15 to 0.2 m).
+    - A Gaussian of 0.2 m with z_random = 0.5 pulls the leaves of doors onto the nearest wall: the robot gets lost in all of five
+      runs (ATE 0.2 to 2.4 m). A narrow Gaussian with heavy tails leaves aside what the plan does not explain (0.10 to 0.14 m).
+    - Furniture along a wall looks like the wall. A particle that has been drawn to it by 0.3 m or 0.8 m soon drives into a jamb,
+      and `p_through_wall` tells it from one that drives through the doorway. Without it (1, as printed) the same five drives end
+      up to 0.32 m off (ATE; with it 0.14 m), and wheels with three times the noise get lost in four of five (in one).
     - A robot that turns in front of a bookcase sees it again and again, 0.35 m before the wall where the plan has nothing. When
-      every one of these scans weighs, they outvote all that it saw before (up to 1.8 m off in one building of three). So a scan
-      weighs after 0.2 m or 20 degrees, as ROS AMCL's `update_min_d` and `update_min_a` have it.
+      every one of these scans weighs, and walls do not, they outvote all that it saw before (up to 1.8 m off in one building of
+      three). So a scan weighs after 0.2 m or 20 degrees, as ROS AMCL's `update_min_d` and `update_min_a` have it.
     - Where few beams return, they are all there is: the root of their number keeps the way through a hall (at most 0.7 m off
       instead of 1.0 m). A drive that keeps to the walls (`priorlab.study.full_tour`) goes at most 8 m with hardly a return, and
-      none of fifteen through real buildings got lost. A longer way through nothing stays a risk: there the wheels steer alone.
-    - Wheels ten times worse (0.02 and alphas of 0.05) get lost on `office_floor` in all of five runs (ATE 0.9 to 1.6 m).
-    - Localizing in the map as it grows drifts on `office_floor` (ATE 0.9 to 1.6 m, lost in most runs): most of what the robot
-      sees was written by its own last scans, so an error of heading becomes the map. In a map that lags by the range of its
-      eyes, 3 m, it got lost in none of five runs, a little further off than in the plan (0.26 m, in the plan 0.19 m). Neither
-      lam = 0 nor one look per place helps.
+      none of 36 through real buildings got lost. A longer way through nothing stays a risk: there the wheels steer alone.
+    - With wheels ten times worse (0.02, and alphas of 0.05) four of five runs on `office_floor` are more than a metre off for a
+      while (ATE 0.2 to 0.4 m; without `p_through_wall` all five get lost, 0.9 to 1.6 m).
+    - Localizing in the map as it grows drifts on `office_floor` (ATE 0.7 to 4.3 m, all lost): most of what the robot sees was
+      written by its own last scans, so an error of heading becomes the map. In a map that lags by the range of its eyes, 3 m, it
+      got lost in none of five runs, a little further off than in the plan (0.15 m, in the plan 0.11 m). lam = 0 does not help.
 
     >>> Parameters().particle_limits
     (1500, 4500)
@@ -103,6 +109,8 @@ class Parameters:
     alphas: tuple[float, float, float, float] = (0.004, 0.004, 0.004, 0.004)
     noise: Literal["variance", "std"] = "variance"
     rotation_noise: Literal["symmetric", "literal"] = "symmetric"
+    p_through_wall: float = 0.1
+    robot_radius_m: float = 0.15
     # measurement, algorithm 6.4
     n_beams: int = 60
     sigma_hit_m: float = 0.05
@@ -167,10 +175,11 @@ class Parameters:
         object.__setattr__(self, "particle_limits", (fewest, most))
         if self.localize_in == "own" and most > MOST_OWN_MAPS:
             raise ValueError(f"particle_limits must be at most {MOST_OWN_MAPS} for a map per particle, got {most}")
-        if not 0 < as_float("temper", self.temper) <= 1:
-            raise ValueError(f"temper must lie in (0, 1], got {self.temper:g}")
+        for name in ("temper", "p_through_wall"):
+            if not 0 < as_float(name, getattr(self, name)) <= 1:
+                raise ValueError(f"{name} must lie in (0, 1], got {getattr(self, name):g}")
         check_share("lam", self.lam)
-        for name in ("weigh_every_m", "weigh_every_theta", "lag_m", "thickening_m"):
+        for name in ("robot_radius_m", "weigh_every_m", "weigh_every_theta", "lag_m", "thickening_m"):
             check_not_negative(name, getattr(self, name), MOST)
         object.__setattr__(self, "free_on_no_return", check_flag("free_on_no_return", self.free_on_no_return))
 
@@ -198,6 +207,7 @@ TUNED = Parameters()
 TABLE_6_1 = Parameters(
     alphas=(0.2, 0.2, 0.2, 0.2),
     rotation_noise="literal",
+    p_through_wall=1.0,
     sigma_hit_m=0.2,
     z_random=0.05,
     max_range_m=12.0,

@@ -17,7 +17,7 @@ from priorlab.slam.recording import Run
 from priorlab.slam.run_inputs import UNREADABLE, arrays_of, inputs_as_arrays, inputs_from_arrays
 from priorlab.slam.sample_packing import pack_sample, unpack_sample
 
-_FORMAT = "priorlab run 2"
+_FORMAT = "priorlab run 3"
 _STEPS = ("trajectory", "n_particles", "ess", "explained")
 
 

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
+from priorlab.slam.impassable import Impassable
 from priorlab.slam.lagging_field import LaggingField
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.map_update import SeenCells
@@ -25,6 +26,7 @@ class State:
     Parameters
     ----------
     prior_map, log, plan : m_0, the drive and the field of m_0; these never change
+    impassable : where m_0 lets no robot drive, or None when walls ask nothing of a particle (`p_through_wall` 1, as printed)
     way_m : (T,) metres that the wheels have told up to a step
     weighs, resamples : (T,) steps whose scan weighs, and after which particles are drawn; the log says it beforehand
     step : number of the next step
@@ -39,6 +41,7 @@ class State:
     prior_map: GridMap
     log: RobotLog
     plan: LikelihoodField
+    impassable: Impassable | None
     way_m: NDArray[np.float64]
     weighs: NDArray[np.bool_]
     resamples: NDArray[np.bool_]

@@ -284,7 +284,7 @@ def test_localize_says_when_an_older_priorlab_began(place, begun, tmp_path, caps
     with open(begun["--out"][0] + ".part", "rb") as file:
         first, *more = whole_records(file.read())[0]
     arrays = arrays_of(first)
-    arrays["words"] = np.array(str(arrays["words"]).replace("priorlab checkpoint 2", "priorlab checkpoint 1"))
+    arrays["words"] = np.array(str(arrays["words"]).replace("priorlab checkpoint 3", "priorlab checkpoint 2"))
     (tmp_path / "out.part").write_bytes(b"".join(map(pack_record, [arrays, *map(arrays_of, more)])))
     assert resumed(place[0], begun | {"--out": [str(tmp_path / "out")]}) == 2
     said = capsys.readouterr().err

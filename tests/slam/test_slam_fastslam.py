@@ -12,6 +12,7 @@ from priorlab.core.score import score_mask
 from priorlab.mapping.overruled import OverruledSensorWarning
 from priorlab.slam.estimate import estimate_pose
 from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.impassable import Impassable
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.localization import choose, predict, weigh
 from priorlab.slam.map_update import see_cells, update_seen
@@ -27,14 +28,17 @@ def first_steps(log, n):
     return RobotLog(log.odometry[:n], log.ranges[:n], log.bearings, log.scanner, log.start, log.truth[:n])
 
 
-@pytest.mark.parametrize(("localize_in", "lag_m"), [("updated", 0.0), ("updated", 0.7), ("static", 0.0)])
-def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in, lag_m):
-    log, parameters = first_steps(drive_log, 40), replace(TUNED, localize_in=localize_in, lag_m=lag_m)
+@pytest.mark.parametrize(
+    ("localize_in", "lag_m", "broad"), [("updated", 0.0, {}), ("updated", 0.7, {}), ("static", 0.0, {"robot_radius_m": 0.6})]
+)
+def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in, lag_m, broad):
+    log, parameters = first_steps(drive_log, 40), replace(TUNED, localize_in=localize_in, lag_m=lag_m, **broad)
     run = FastSLAM(parameters).run(slam_prior, log, np.random.default_rng(7))
 
     rng = np.random.default_rng(7)
     particles = start_particles(log.start, 4500, (0, 0, 0), rng)
     log_odds_map, plan = slam_prior.log_odds.copy(), LikelihoodField.of(slam_prior, parameters)
+    impassable, n_charged = Impassable.of(slam_prior, parameters), 0
     weighs = weighing_steps(log, parameters)
     assert 10 < weighs.sum() < 40
     for k in range(40):
@@ -46,7 +50,9 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in,
                 update_seen(behind, slam_prior.log_odds, old, parameters)
         field = LikelihoodField.of(GridMap(behind, slam_prior.grid), parameters)
         scan = choose_beams(log, k, parameters)
-        particles = predict(particles, log.odometry[max(k - 1, 0)], log.odometry[k], rng, parameters)
+        stood = particles.log_weights
+        particles = predict(particles, log.odometry[max(k - 1, 0)], log.odometry[k], rng, parameters, impassable)
+        n_charged += int((particles.log_weights < stood).sum())
         if weighs[k]:
             particles = weigh(particles, scan, field)
         pose = estimate_pose(particles, parameters)
@@ -56,6 +62,7 @@ def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in,
         particles = choose(particles, rng, parameters) if weighs[k] else particles
         update_seen(log_odds_map, slam_prior.log_odds, see_cells(slam_prior.grid, pose, scan, parameters), parameters)
     assert np.array_equal(log_odds_map, run.map.log_odds)
+    assert n_charged > 1000 or not broad  # walls took their share
 
 
 def test_run_equals_start_steps_and_finish(slam_prior, drive_log):
@@ -67,7 +74,7 @@ def test_run_equals_start_steps_and_finish(slam_prior, drive_log):
         before = state.particles
         step = slam.step(state)
         assert step.number == k and np.array_equal(step.pose, run.trajectory[k])
-        assert np.array_equal(step.moved.log_weights, before.log_weights)  # moving tells nothing
+        assert (step.moved.log_weights <= before.log_weights).all()  # moving tells nothing but where walls are
         assert np.array_equal(step.weighed.poses, step.moved.poses)
         assert (step.weighed is not step.moved) == weighs[k] and state.particles is step.particles
         assert (step.particles is not step.weighed) == (weighs[k] and weighs[: k + 1].sum() % 2 == 0)
@@ -85,12 +92,12 @@ def test_state_taken_up_again_goes_on_as_if_nothing_had_happened(slam_prior, dri
     first = slam.start(slam_prior, log, np.random.default_rng(3))
     for _ in range(12):
         slam.step(first)
-    kept = first.rng.bit_generator.state, first.particles.poses.copy(), first.log_odds.copy()
+    kept = first.rng.bit_generator.state, first.particles, first.log_odds.copy()
     while not first.done:  # goes on: what was kept must not hang on it
         slam.step(first)
 
     again = slam.start(slam_prior, log, np.random.default_rng(99))
-    again.rng.bit_generator.state, again.particles = kept[0], Particles(kept[1])
+    again.rng.bit_generator.state, again.particles = kept[0], Particles(kept[1].poses, kept[1].log_weights)
     again.step = 12
     for k in range(12):
         slam.map_scan(again, k, whole.trajectory[k])
@@ -252,6 +259,9 @@ def test_run_warns_when_the_prior_is_surer_than_the_sensor(floor, drive_log, pri
         ({"sensor_offset_m": (0.1,)}, "sensor_offset_m must be two finite numbers"),
         ({"particle_limits": (100, 50)}, "particle_limits must be the fewest, at least 1, and the most, got .100, 50."),
         ({"temper": 0}, r"temper must lie in \(0, 1\], got 0"),
+        ({"p_through_wall": 0}, r"p_through_wall must lie in \(0, 1\], got 0"),
+        ({"p_through_wall": 1.5}, r"p_through_wall must lie in \(0, 1\], got 1.5"),
+        ({"robot_radius_m": -0.1}, "robot_radius_m must be a finite number of at least 0, got -0.1"),
         ({"lam": 2}, "lam must lie between 0 and 1, got 2"),
         ({"z_random": 0}, "z_random must lie strictly between 0 and 1, got 0"),
         ({"sigma_hit_m": -1}, "sigma_hit_m must be a finite number above 0, got -1"),
@@ -286,6 +296,7 @@ def test_table_6_1_holds_what_is_printed():
     assert (TABLE_6_1.p_free, TABLE_6_1.p_occupied) == (0.8, 0.2)
     assert TABLE_6_1.weigh_every_m == TABLE_6_1.weigh_every_theta == TABLE_6_1.lag_m == 0  # "for k = 1 : T_end"
     assert TABLE_6_1.lam == 1 and TABLE_6_1.thickening_m == 0 and TABLE_6_1.localize_in == "updated"
+    assert TABLE_6_1.p_through_wall == 1  # algorithm 6.3 knows no walls
     assert TABLE_6_1.temper == 1 and TABLE_6_1.rotation_noise == "literal" and TABLE_6_1.noise == "variance"
 
 

@@ -16,6 +16,7 @@ from priorlab.mapping.prior import build_prior_map
 from priorlab.robot.drive import drive
 from priorlab.slam.estimate import estimate_pose
 from priorlab.slam.fastslam import FastSLAM
+from priorlab.slam.impassable import Impassable
 from priorlab.slam.likelihood_field import LikelihoodField
 from priorlab.slam.localization import choose, predict
 from priorlab.slam.map_update import see_cells, update_seen
@@ -40,6 +41,7 @@ def drive_with_full_maps(prior_map, log, rng, parameters):
     particles = start_particles(log.start, parameters.particle_limits[1], parameters.start_variances, rng)
     paths = [[] for _ in range(len(particles))]
     trajectory, heaviest = [], 0
+    impassable = Impassable.of(prior_map, parameters)
 
     def map_along(path, farthest_m):
         """The map that the scans up to some way draw along a path."""
@@ -52,7 +54,7 @@ def drive_with_full_maps(prior_map, log, rng, parameters):
 
     for k in range(len(log)):
         scan = choose_beams(log, k, parameters)
-        moved = predict(particles, log.odometry[max(k - 1, 0)], log.odometry[k], rng, parameters)
+        moved = predict(particles, log.odometry[max(k - 1, 0)], log.odometry[k], rng, parameters, impassable)
         logs = moved.log_weights.copy()
         if weighs[k]:
             for j, path in enumerate(paths):
@@ -71,12 +73,18 @@ def drive_with_full_maps(prior_map, log, rng, parameters):
 
 @pytest.mark.parametrize(
     ("lag_m", "n_steps", "changes"),
-    [(0.0, 26, {}), (0.8, 26, {}), (9.0, 26, {}), (0.0, 20, {"sigma_hit_m": 0.3, "z_random": 0.3, "max_distance_m": 0.5})],
-    ids=["at once", "behind", "all wait", "wide"],
+    [
+        (0.0, 26, {}),
+        (0.8, 26, {}),
+        (9.0, 26, {}),
+        (0.0, 20, {"sigma_hit_m": 0.3, "z_random": 0.3, "max_distance_m": 0.5}),
+        (0.8, 26, {"robot_radius_m": 0.6}),
+    ],
+    ids=["at once", "behind", "all wait", "wide", "broad"],
 )
 def test_own_maps_agree_with_full_copies(slam_prior, drive_log, lag_m, n_steps, changes):
     log, parameters = first_steps(drive_log, n_steps), replace(OWN, lag_m=lag_m, **changes)
-    if changes:
+    if "sigma_hit_m" in changes:
         log = replace(log, start=log.start + [0.5, -0.25, 0.1])  # so that beams end far from every wall
     trajectory, paths, heaviest, drawn = drive_with_full_maps(slam_prior, log, np.random.default_rng(3), parameters)
     slam = FastSLAM(parameters)

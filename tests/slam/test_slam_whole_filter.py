@@ -38,7 +38,11 @@ class SlowFilter:
         spread = [math.sqrt(variance) for variance in parameters.start_variances]
         self.particles = [[start[i] + d[i] * spread[i] for i in range(3)] + [0.0] for d in drawn]
         self.waiting, self.behind, self.weighings = [], dict(cells), 0
-        self.way, self.last = 0.0, None
+        self.way, self.last, self.n_charged = 0.0, None, 0
+        walls = [cell for cell, value in self.prior.items() if value < math.log(0.35 / 0.65) - 1e-9]
+        self.blocked = {
+            (r, c) for r, c in self.prior for i, j in walls if math.hypot(r - i, c - j) * CELL_M <= self.p.robot_radius_m + 1e-9
+        }
 
     # --- algorithm 6.3
     def move(self, before, after):
@@ -60,9 +64,13 @@ class SlowFilter:
             turn, line, turn2 = (
                 part - d * (math.sqrt(b) if self.p.noise == "variance" else b) for (part, b), d in zip(parts, draw, strict=True)
             )
+            stood_in_wall = cell_of(*particle[:2]) in self.blocked
             particle[0] += line * math.cos(particle[2] + turn)
             particle[1] += line * math.sin(particle[2] + turn)
             particle[2] = wrap(particle[2] + turn + turn2)
+            if self.p.p_through_wall < 1 and not stood_in_wall and cell_of(*particle[:2]) in self.blocked:
+                particle[3] += math.log(self.p.p_through_wall)  # p(x_k | x_{k-1}, m)
+                self.n_charged += 1
 
     # --- algorithm 6.4
     def likelihoods(self):
@@ -243,6 +251,9 @@ SMALL = {"particle_limits": (8, 40), "kld_epsilon": 0.4, "n_beams": 6, "max_dist
 SETTINGS = {
     "tuned": replace(TUNED, **SMALL),
     "growing": replace(TUNED, **SMALL, localize_in="updated", lag_m=0.4, lam=0.3, start_variances=(0.003, 0.003, 0.01)),
+    "broad": replace(
+        TUNED, **SMALL, robot_radius_m=0.55, p_through_wall=0.3, start_variances=(0.03, 0.03, 0.1), weigh_every_m=0.5
+    ),
     "printed": replace(TABLE_6_1, **SMALL | {"temper": 1.0}),
     "stubborn": replace(
         TUNED, **SMALL | {"particle_limits": (30, 30)}, resampling_interval=3, noise="std", lam=0.0, thickening_m=0.0
@@ -268,6 +279,7 @@ def test_fastslam_agrees_with_algorithm_6_1_in_plain_python(name, seed):
         assert wrap(pose[2] - run.trajectory[k, 2]) == pytest.approx(0.0, abs=1e-5)
         numbers.append(len(slow.particles))
     assert len(set(numbers)) > 1 or name == "stubborn"  # KLD was at work
+    assert slow.n_charged > 20 or name != "broad"  # walls were at work
     assert run.n_particles[1:].tolist() == numbers[:-1]
     for cell, value in slow.map.items():
         assert run.map.log_odds[cell] == pytest.approx(value, abs=1e-9)

@@ -157,10 +157,9 @@ def by_seed(numbers):
             yield from [value["by_seed"]] if "by_seed" in value else by_seed(value)
 
 
-def test_the_simulated_floor_reaches_what_the_issue_asks_for_but_for_one_drive():
+def test_the_simulated_floor_reaches_what_the_issue_asks_for():
     usual = kept("study-slam")["numbers"]["clutter 0.3, odometry 0.002"]
     assert len(usual["ate_m"]["by_seed"]) >= 5 and usual["lost"] == [None] * 5
-    errors = sorted(usual["ate_m"]["by_seed"])
-    assert errors[-2] <= 0.3 and errors[-1] <= 0.35  # 0.3 is asked of each: one drive misses it, with the true walls, too
+    assert max(usual["ate_m"]["by_seed"]) <= 0.3
     assert usual["gain_percent"]["mean"] >= 40 and usual["gain_percent"]["interval_95"][0] >= 40
     assert set(usual["f2"]) == set(MAPS) and COUNTING in usual["f2"]
