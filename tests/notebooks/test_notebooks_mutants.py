@@ -82,6 +82,13 @@ MUTANTS = {  # notebook, file, right, wrong, objective whose number turns red fi
     "one image three times": (DEPTH, "study/depth_survey.py", "for repeat in range(repeats)]", "for repeat in [0] * repeats]", 4),
     "sensor model ignored": (DEPTH, "study/depth_survey.py", "wall_thickness, p_free, p_occupied)", "wall_thickness)", 5),
     "variance for deviation": (LOCALIZE, "slam/motion.py", 'if parameters.noise == "variance" else', "if True else", 1),
+    "walls hinder nobody": (
+        LOCALIZE,
+        "slam/impassable.py",
+        "np.where(entered, math.log(self.p_through_wall), 0.0)",
+        "np.zeros(len(after))",
+        1,
+    ),
     "a wall is near to itself": (LOCALIZE, "slam/likelihood_field.py", "1 - (filled - inner)", "1 - filled", 2),
     "one over the heaviest": (
         LOCALIZE,
