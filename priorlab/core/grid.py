@@ -8,6 +8,7 @@ so that the origin of a ROS map is the origin of the drawing. Cells at the upper
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import cv2
 import numpy as np
@@ -127,6 +128,17 @@ class Grid:
         x, y = np.moveaxis(np.asarray(xy, dtype=np.float64)[..., :2], -1, 0)
         height, width = self.image_shape
         return (x >= 0) & (x < width) & (y >= 0) & (y < height)
+
+    def at_metres(self, cells: ArrayLike, xy_m: ArrayLike, outside: Any) -> NDArray:
+        """(N,) values of a (rows, cols) array in the cells of (N, 2) points or (N, 3) poses, metres; `outside` off the drawing.
+
+        >>> Grid((2, 3), metres_per_pixel=0.1).at_metres([[1, 2, 3], [4, 5, 6]], [[0.25, 0.15, 3.1], [0.1, -0.1, 0]], -1).tolist()
+        [3, -1]
+        """
+        xy = self.metres_to_xy(np.asarray(xy_m, dtype=np.float64)[..., :2])
+        inside = self.contains(xy)
+        rows, cols = self.xy_to_cell(np.where(inside[..., None], xy, 0.0)).T
+        return np.where(inside, np.asarray(cells)[rows, cols], outside)
 
     def to_ros(self, cells: ArrayLike) -> NDArray:
         """A cell array as ROS stores its data: row 0 at the BOTTOM. Its own inverse."""

@@ -69,9 +69,9 @@ def of_network(
     for door in doors:
         start, end = (tuple(round(c) for c in jamb) for jamb in (door.hinge, door.strike))
         cv2.line(whole, start, end, 1, max(3, round(2 * AT_JAMB * door.width)))
-    n_nets, nets, boxes, _ = cv2.connectedComponentsWithStats(whole, connectivity=8)
-    area = np.bincount(nets[walls], minlength=n_nets)
-    held = np.zeros(n_nets, dtype=bool)
+    nets, low, high, _ = _boxes(whole.astype(bool))
+    area = np.bincount(nets[walls], minlength=len(low))
+    held = np.zeros(len(low), dtype=bool)
     for door in doors:
         for x, y in np.rint([door.hinge, door.strike]).astype(int):
             held[nets[np.clip(y, 0, len(nets) - 1), np.clip(x, 0, nets.shape[1] - 1)]] = True
@@ -79,7 +79,8 @@ def of_network(
     keep = area >= ALONE * area.sum()
     main = int(np.argmax(np.where(held, area, 0)))
     if held[main] and area[main] >= DOORLESS * area.max():  # else a false door may hang on a cupboard
-        keep &= (area >= DOORLESS * area[main]) & ~_round_it(np.asarray(boxes, dtype=np.int32), main)
+        round_it = ((low < low[main]) & (high > high[main])).all(axis=1)
+        keep &= (area >= DOORLESS * area[main]) & ~round_it
     found = walls & (keep | held)[nets]
     return found if lines is None else found | _led_to(walls & ~found, found, lines)
 
@@ -125,13 +126,6 @@ def without_blocks(walls: NDArray[np.bool_], ink: NDArray[np.bool_], doors: Sequ
         for x, y in np.rint([door.hinge, door.strike]).astype(int):
             block[np.unique(parts[max(y - reach, 0) : y + reach + 1, max(x - reach, 0) : x + reach + 1])] = False
     return walls & ~block[parts]
-
-
-def _round_it(boxes: NDArray[np.int32], main: int) -> NDArray[np.bool_]:
-    """Which pieces' boxes go round that of the main one."""
-    left, top = boxes[:, cv2.CC_STAT_LEFT], boxes[:, cv2.CC_STAT_TOP]
-    right, bottom = left + boxes[:, cv2.CC_STAT_WIDTH], top + boxes[:, cv2.CC_STAT_HEIGHT]
-    return (left < left[main]) & (top < top[main]) & (right > right[main]) & (bottom > bottom[main])
 
 
 def without_marks(walls: NDArray[np.bool_], sizes: WallSizes) -> NDArray[np.bool_]:

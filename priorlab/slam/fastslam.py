@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from dataclasses import fields, replace
 from typing import Any
@@ -86,6 +87,8 @@ class FastSLAM:
         -----
         OverruledSensorWarning
             When the prior is surer than the sensor (eq. 2.22).
+        UserWarning
+            When the start lies nearer to a wall than `robot_radius_m`.
         """
         state = self.start(prior_map, log, rng)
         while not state.done:
@@ -111,7 +114,7 @@ class FastSLAM:
             prior_map=prior_map,
             log=log,
             plan=plan,
-            impassable=Impassable.of(prior_map, parameters) if parameters.p_through_wall < 1 else None,
+            impassable=_impassable(prior_map, log, parameters),
             way_m=np.cumsum(steps_m),
             weighs=weighs,
             resamples=weighs & (np.cumsum(weighs) % parameters.resampling_interval == 0),
@@ -165,6 +168,20 @@ class FastSLAM:
         return replace(run, path=state.own.paths[state.own.heaviest]) if state.own else run
 
 
+def _impassable(prior_map: GridMap, log: RobotLog, parameters: Parameters) -> Impassable | None:
+    """Where the plan lets no robot drive, or None when driving there costs nothing."""
+    if parameters.p_through_wall == 1:
+        return None
+    impassable = Impassable.of(prior_map, parameters)
+    if impassable.holds(log.start[None]).item():
+        warnings.warn(
+            f"start lies nearer to a wall than robot_radius_m, {parameters.robot_radius_m:g} m: walls do not hinder particles "
+            "until they have left them",
+            stacklevel=4,
+        )
+    return impassable
+
+
 def _check_start(plan: LikelihoodField, prior_map: GridMap, log: RobotLog) -> None:
     """A drive needs steps, and a robot cannot start off the map or in a wall."""
     if len(log) == 0:
@@ -176,6 +193,5 @@ def _check_start(plan: LikelihoodField, prior_map: GridMap, log: RobotLog) -> No
     width_m, height_m = grid.image_shape[1] * grid.scale, grid.image_shape[0] * grid.scale
     if max(abs(x), abs(y)) > FARTHEST_M or not grid.contains(grid.metres_to_xy(log.start[:2])):
         raise ValueError(f"start must lie on the map of {width_m:.2f} x {height_m:.2f} m, got x {x:g}, y {y:g} m")
-    row, col = grid.xy_to_cell(grid.metres_to_xy(log.start[:2]))
-    if plan.occupied(prior_map.log_odds)[row, col]:
+    if grid.at_metres(plan.occupied(prior_map.log_odds), log.start[None], outside=False).item():
         raise ValueError(f"start must lie in free space, got x {x:g}, y {y:g} m, where the map shows a wall")

@@ -1,13 +1,17 @@
-"""Where the plan lets no robot drive: the motion model with a map (Thrun, Burgard, Fox 2005, section 5.5).
+"""Where the plan lets no robot drive: a motion model with a map, after Thrun, Burgard and Fox 2005, section 5.5.
 
 Wheels say nothing of walls: algorithm 6.3 moves particles straight through them. But the map speaks of the robot's place as well
-as of its beams,
+as of its beams, p(x_k | u_k, x_{k-1}, m) = eta p(x_k | u_k, x_{k-1}) p(x_k | m): a pose in a wall is not likely. What stands here
+differs from the book in two ways.
 
-    p(x_k | u_k, x_{k-1}, m) ~ p(x_k | u_k, x_{k-1}) p(x_k | x_{k-1}, m),
+- Only the way INTO a wall counts, p(x_k | x_{k-1}, m): `p_through_wall` for a step from free ground into a wall, else 1. A plan
+  may wall up a doorway that is there; all particles near the truth then pay the same within a few steps, and nothing is lost but
+  a few centimetres for as long as they are inside.
+- eta is left out, so the factor weighs particles against one another as a reading does: one that comes through a doorway keeps
+  its weight, one that drives into the wall beside it loses nine tenths.
 
-where p(x_k | x_{k-1}, m) is 1, but `p_through_wall` for a step that takes the robot into a wall of the plan. A particle that
-drives through a doorway keeps its weight, one that drives into the wall beside it loses nine tenths. Not all of it: the plan may
-wall up a doorway that is there. Then every particle near the truth pays the same, once, and nothing is lost.
+Walls that are widened by the robot's radius are what planners call inflated obstacles. Only where a step ends is looked at, as in
+the book: over steps longer than a wall is thick, radius and all (about 0.4 m), a particle can leap over one.
 """
 
 from __future__ import annotations
@@ -32,9 +36,14 @@ class Impassable:
 
     Parameters
     ----------
-    cells : (rows, cols) bool, row 0 at the top; True within `robot_radius_m` of an obstacle, centre to centre
+    cells : (rows, cols) bool, row 0 at the top; True within `robot_radius_m` of an obstacle, centre of cell to centre: a radius
+        smaller than a cell adds nothing to the walls
     grid : the cells
     p_through_wall : the share of its weight that a particle keeps when it drives into one of them
+
+    Notes
+    -----
+    A particle that begins in such a cell pays when it comes back to one, not before.
     """
 
     cells: NDArray[np.bool_]
@@ -49,14 +58,12 @@ class Impassable:
         free = ~obstacles_of(grid_map.log_odds, parameters)
         far = cv2.distanceTransform(free.astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
         reach = parameters.robot_radius_m / grid_map.grid.cell_size_m
-        return cls(np.square(far) <= reach**2 + 1e-3, grid_map.grid, parameters.p_through_wall)  # squares of cells are whole
+        squares = np.rint(np.square(far))  # of cells, so they are whole
+        return cls(squares <= reach**2 + 1e-6, grid_map.grid, parameters.p_through_wall)
 
     def holds(self, poses: NDArray[np.float64]) -> NDArray[np.bool_]:
         """(N,) True where one of the (N, 3) `poses` stands in such a cell; off the map there are none."""
-        xy = self.grid.metres_to_xy(poses[:, :2])
-        on_map = self.grid.contains(xy)
-        rows, cols = self.grid.xy_to_cell(np.where(on_map[:, None], xy, 0.0)).T
-        return on_map & self.cells[rows, cols]
+        return self.grid.at_metres(self.cells, poses, outside=False)
 
     def log_weights(self, before: NDArray[np.float64], after: NDArray[np.float64]) -> NDArray[np.float64]:
         """(N,) log p(x_k | x_{k-1}, m): 0, or log(p_through_wall) where a step from free ground ends in a wall.

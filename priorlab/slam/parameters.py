@@ -50,9 +50,10 @@ class Parameters:
     noise : what `sample(b)` draws: "variance" takes b as a variance (as the algorithm's source has it), "std" as a deviation
     rotation_noise : "symmetric" measures a rotation to the nearer of 0 and pi, so that a tiny odometry translation in a turn on
         the spot, whose direction is chance, is not taken for a turn by pi; "literal" as printed
-    p_through_wall : share of its weight that a particle keeps when it drives into a wall of the plan (`Impassable`); 1 asks
-        nothing of it, as printed. Not 0: a plan may wall up a doorway
-    robot_radius_m : a robot's centre comes no nearer to a wall than this. 0.15 is a little less than a TurtleBot's 0.18
+    p_through_wall : share of its weight (no P(empty)) that a particle keeps when it drives into a wall of the plan
+        (`Impassable`); 1 asks nothing of it, as printed. Not 0: a plan may wall up a doorway
+    robot_radius_m : the poses of the log come no nearer to a wall than this. 0.15 is a little less than a TurtleBot's radius of
+        0.18; where poses are those of a laser at the bumper, take the distance that it keeps
     n_beams : beams of a scan that weigh, spread evenly over those with a return (Table 6.1)
     sigma_hit_m : deviation of a beam's end from an obstacle, sigma_hit; Table 6.1 prints 0.2
     z_random : weight of unexplained readings; z_hit is the rest. Table 6.1 prints 0.05; see the note on furniture
@@ -86,17 +87,17 @@ class Parameters:
 
     - A Gaussian of 0.2 m with z_random = 0.5 pulls the leaves of doors onto the nearest wall: the robot gets lost in all of five
       runs (ATE 0.2 to 2.4 m). A narrow Gaussian with heavy tails leaves aside what the plan does not explain (0.10 to 0.14 m).
-    - Furniture along a wall looks like the wall. A particle that has been drawn to it by 0.3 m or 0.8 m soon drives into a jamb,
-      and `p_through_wall` tells it from one that drives through the doorway. Without it (1, as printed) the same five drives end
-      up to 0.32 m off (ATE; with it 0.14 m), and wheels with three times the noise get lost in four of five (in one).
+    - Furniture along a wall looks like the wall. A particle that has been drawn to it soon drives into a jamb, and
+      `p_through_wall` tells it from one that drives through the doorway. Without it (1, as printed) the same five drives have an
+      ATE of up to 0.32 m (with it 0.14 m), and wheels with three times the noise get lost in four of five (in one).
     - A robot that turns in front of a bookcase sees it again and again, 0.35 m before the wall where the plan has nothing. When
-      every one of these scans weighs, and walls do not, they outvote all that it saw before (up to 1.8 m off in one building of
-      three). So a scan weighs after 0.2 m or 20 degrees, as ROS AMCL's `update_min_d` and `update_min_a` have it.
+      every one of these scans weighs and `p_through_wall` is 1, they outvote all that it saw before (up to 1.8 m off in one
+      building of three). So a scan weighs after 0.2 m or 20 degrees, as ROS AMCL's `update_min_d` and `update_min_a` have it.
     - Where few beams return, they are all there is: the root of their number keeps the way through a hall (at most 0.7 m off
       instead of 1.0 m). A drive that keeps to the walls (`priorlab.study.full_tour`) goes at most 8 m with hardly a return, and
       none of 36 through real buildings got lost. A longer way through nothing stays a risk: there the wheels steer alone.
-    - With wheels ten times worse (0.02, and alphas of 0.05) four of five runs on `office_floor` are more than a metre off for a
-      while (ATE 0.2 to 0.4 m; without `p_through_wall` all five get lost, 0.9 to 1.6 m).
+    - With wheels ten times worse (0.02, and alphas of 0.05) four of five runs on `office_floor` get lost for a while (ATE 0.2 to
+      0.4 m; with `p_through_wall` 1 all five, 0.9 to 1.6 m).
     - Localizing in the map as it grows drifts on `office_floor` (ATE 0.7 to 4.3 m, all lost): most of what the robot sees was
       written by its own last scans, so an error of heading becomes the map. In a map that lags by the range of its eyes, 3 m, it
       got lost in none of five runs, a little further off than in the plan (0.15 m, in the plan 0.11 m). lam = 0 does not help.

@@ -12,6 +12,7 @@ from priorlab.core.building import Truth
 from priorlab.core.checks import check_record
 from priorlab.core.grid_map import GridMap
 from priorlab.core.readings import RobotLog
+from priorlab.slam.likelihood_field import obstacles_of
 from priorlab.slam.localization import Localized
 from priorlab.slam.lost import lost_because
 from priorlab.slam.map_update import SeenCells, see_cells, update_seen
@@ -151,11 +152,8 @@ class Run:
 
     def _in_wall(self) -> NDArray[np.bool_]:
         """(T,) True where the estimate stands in a wall of the plan, or off the map."""
-        grid = self.prior_map.grid
-        xy = grid.metres_to_xy(self.trajectory[:, :2])
-        outside = ~grid.contains(xy)
-        rows, cols = grid.xy_to_cell(np.where(outside[:, None], 0.0, xy)).T
-        return outside | (self.prior_map.p_empty[rows, cols] < self.parameters.occupied_below)
+        walls = obstacles_of(self.prior_map.log_odds, self.parameters)
+        return self.prior_map.grid.at_metres(walls, self.trajectory, outside=True)
 
     def summary(self, truth: Truth | None = None, log: RobotLog | None = None) -> str:
         """Errors, particles and, when the building is known, coverage in one line; a lost run says so first.

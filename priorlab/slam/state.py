@@ -26,7 +26,7 @@ class State:
     Parameters
     ----------
     prior_map, log, plan : m_0, the drive and the field of m_0; these never change
-    impassable : where m_0 lets no robot drive, or None when walls ask nothing of a particle (`p_through_wall` 1, as printed)
+    impassable : where m_0 lets no robot drive, or None when driving there costs nothing (`p_through_wall` 1, as printed)
     way_m : (T,) metres that the wheels have told up to a step
     weighs, resamples : (T,) steps whose scan weighs, and after which particles are drawn; the log says it beforehand
     step : number of the next step
@@ -81,7 +81,7 @@ class Step:
     ----------
     number : k
     scan : the beams that counted
-    moved : the particles after the motion model
+    moved : the particles after the motion model; those that drove into a wall have lost weight
     weighed : the same with their weights; `moved` itself when the scan did not weigh
     pose : (3,) the estimate x, y, theta; metres
     particles : those that go on

@@ -29,7 +29,8 @@ def first_steps(log, n):
 
 
 @pytest.mark.parametrize(
-    ("localize_in", "lag_m", "broad"), [("updated", 0.0, {}), ("updated", 0.7, {}), ("static", 0.0, {"robot_radius_m": 0.6})]
+    ("localize_in", "lag_m", "broad"),
+    [("updated", 0.0, {}), ("updated", 0.7, {"robot_radius_m": 0.6}), ("static", 0.0, {"robot_radius_m": 0.6})],
 )
 def test_run_equals_its_parts_called_in_turn(slam_prior, drive_log, localize_in, lag_m, broad):
     log, parameters = first_steps(drive_log, 40), replace(TUNED, localize_in=localize_in, lag_m=lag_m, **broad)

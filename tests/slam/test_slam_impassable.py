@@ -10,9 +10,10 @@ from hypothesis import strategies as st
 
 from priorlab.core.grid import Grid
 from priorlab.core.grid_map import GridMap
+from priorlab.slam.checkpoint import resume, run_with_checkpoints
 from priorlab.slam.fastslam import FastSLAM
 from priorlab.slam.impassable import Impassable
-from priorlab.slam.localization import predict
+from priorlab.slam.localization import choose, predict
 from priorlab.slam.parameters import TABLE_6_1, TUNED
 from priorlab.slam.particles import Particles
 
@@ -33,7 +34,7 @@ def doorway():
     return walls
 
 
-@given(st.integers(0, 2**32 - 1), st.sampled_from([0.0, 0.1, 0.15, 0.25, 0.4]), st.sampled_from([1, 2]))
+@given(st.integers(0, 2**32 - 1), st.sampled_from([0.0, 0.1, 0.15, 0.25, 0.28, 0.4]), st.sampled_from([1, 2]))
 def test_impassable_cells_lie_within_the_radius_of_a_wall(seed, radius_m, cell_size):
     rng = np.random.default_rng(seed)
     walls = rng.random((9, 12)) < 0.06
@@ -50,6 +51,7 @@ def test_impassable_is_not_what_nobody_knows():
     one = map_of(doorway())
     unknown = GridMap(np.where(doorway(), UNKNOWN, FREE), one.grid)
     assert Impassable.of(one).cells.any() and not Impassable.of(unknown).cells.any()
+    assert not Impassable.of(one, replace(TUNED, occupied_below=0.2)).cells.any()  # 0.27 is no obstacle then
 
 
 @pytest.mark.parametrize(
@@ -70,6 +72,14 @@ def test_a_particle_loses_weight_where_it_drives_into_a_wall(before, after, shar
     impassable = Impassable.of(map_of(doorway()))
     logs = impassable.log_weights(np.array([[*before, 0.3]]), np.array([[*after, 0.3]]))
     assert math.exp(logs.item()) == pytest.approx(share)
+
+
+def test_off_the_map_nothing_is_impassable():
+    walls = np.zeros((5, 5), dtype=bool)
+    walls[:, 0] = walls[:, -1] = walls[0] = walls[-1] = True
+    there = np.array([[-0.05, 0.05, 0.0], [0.55, 0.25, 0.0], [0.25, -3.0, 0.0], [1e9, -1e9, 0.0]])
+    free = np.full((4, 3), 0.25)
+    assert Impassable.of(map_of(walls), replace(TUNED, robot_radius_m=0.0)).log_weights(free, there).tolist() == [0, 0, 0, 0]
 
 
 def test_predict_without_walls_is_algorithm_6_3():
@@ -106,6 +116,50 @@ def test_a_doorway_that_the_plan_walls_up_costs_every_particle_the_same():
     for k in range(12):
         cloud = predict(cloud, [0.1 * k, 0, 0], [0.1 * k + 0.1, 0, 0], rng, TUNED, impassable)
     assert np.allclose(cloud.log_weights, math.log(0.1))
+
+
+@pytest.mark.parametrize("spread_m", [0.03, 0.1])
+def test_a_filter_comes_through_a_doorway_that_the_plan_walls_up(spread_m):
+    """Draws lie between the steps at which particles pay: the estimate lags inside the wall, and no longer behind it."""
+    walls = doorway()
+    walls[:, 20:23] = True
+    rng, impassable = np.random.default_rng(6), Impassable.of(map_of(walls))
+    cloud, lags = Particles(rng.normal([1.5, 2.0, 0.0], [spread_m, spread_m, 0.01], (3000, 3))), []
+    for k in range(16):
+        cloud = predict(cloud, [0.1 * k, 0, 0], [0.1 * k + 0.1, 0, 0], rng, TUNED, impassable)
+        lags.append(1.5 + 0.1 * (k + 1) - cloud.weights @ cloud.poses[:, 0])
+        cloud = choose(cloud, rng, TUNED) if k % 2 else cloud
+    assert 0.3 * spread_m < max(lags) < 1.5 * spread_m and abs(lags[-1]) < 0.3 * spread_m + 0.02
+
+
+def test_resume_goes_on_with_what_walls_have_taken(slam_prior, drive_log, tmp_path):
+    slam = FastSLAM(robot_radius_m=0.6, weigh_every_m=1.0, weigh_every_theta=3.0, particle_limits=(200, 200))
+    whole = slam.run(slam_prior, drive_log, np.random.default_rng(3))
+    state = slam.start(slam_prior, drive_log, np.random.default_rng(3))
+    for _ in range(60):
+        slam.step(state)
+    assert len(set(state.particles.log_weights.round(6))) > 1  # what the last record before step 70 holds
+    with pytest.raises(KeyboardInterrupt):
+        run_with_checkpoints(
+            slam, slam_prior, drive_log, np.random.default_rng(3), tmp_path / "part", every=20, progress=interrupted_at(70)
+        )
+    assert np.array_equal(resume(tmp_path / "part").trajectory, whole.trajectory)
+
+
+def interrupted_at(last):
+    """Progress that stops the drive."""
+
+    def progress(done, n):
+        if done == last:
+            raise KeyboardInterrupt
+
+    return progress
+
+
+@pytest.mark.filterwarnings("default")
+def test_a_start_beside_a_wall_is_warned_of(slam_prior, drive_log):
+    with pytest.warns(UserWarning, match=r"start lies nearer to a wall than robot_radius_m, 2 m: walls do not hinder"):
+        FastSLAM(robot_radius_m=2).start(slam_prior, drive_log, np.random.default_rng(0))
 
 
 def test_table_6_1_lets_particles_drive_through_walls(slam_prior, drive_log):

@@ -121,6 +121,10 @@ FIELD = LikelihoodField.of(ROOM, Parameters())
         (lambda: sample_motion(np.zeros((2, 2)), [0, 0, 0], [1, 0, 0], rng()), "poses must have shape (N, 3)"),
         (lambda: sample_motion(np.zeros((2, 3)), [0, 0, 0], [1, 0, 0], None), "rng must be a numpy Generator"),
         (lambda: predict(np.zeros((2, 3)), [0, 0, 0], [1, 0, 0], rng()), "particles must be a Particles, got ndarray"),
+        (
+            lambda: predict(particles(), [0, 0, 0], [1, 0, 0], rng(), Parameters(), FIELD),
+            "impassable must be an Impassable, got LikelihoodField",
+        ),
         (lambda: weigh(particles(), LOG, FIELD), "scan must be a Scan, got RobotLog"),
         (lambda: weigh(particles(), choose_beams(LOG, 0, Parameters()), ROOM), "field must be a LikelihoodField, got GridMap"),
         (lambda: choose(np.zeros((2, 3)), rng()), "particles must be a Particles, got ndarray"),
