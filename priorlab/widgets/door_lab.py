@@ -97,7 +97,10 @@ class DoorLab(Lab):
             ("<b>true doors found</b>", f"<b>{self.right} of {n_true}</b>"),
             ("false doors", f"{len(self.doors) - self.right}"),
             ("precision, recall of doors", f"{_share(self.right, len(self.doors))}, {_share(self.right, n_true)}"),
-            ("triples of corners, nCr", f"{self.search.n_triples:,}"),
+            (
+                "corners, triples of them (nCr)",
+                f"{len(self.search.corners)} of at most {self.method.n_corners}, {self.search.n_triples:,}",
+            ),
             ("connected pairs", f"{len(self.search.edges):,}"),
             (
                 "picture",

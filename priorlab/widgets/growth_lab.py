@@ -78,12 +78,16 @@ class GrowthLab(Lab):
         self.pictures[0].show(self._paint(), f"Walls growing; orange: new at this stage. {self.summary()}")
         self.pictures[1].show(scored_image(self.walls, truth), f"What the score counts. {LEGEND}. {percent(self.score)}")
         ways = [orientation(door) for door in self.doors]
+        n_doors = len(list(self._doors.values())[int(self.source.value) - 1])
         bold = ("<b>", "</b>") if self.dont_care.value else ("", "")
         rows = [
             (f"{bold[0]}don't-care left out{bold[1]}", f"{bold[0]}{percent(self.score)}{bold[1]}"),
             ("everything counted", percent(self.literal_score)),
             ("pixels of wall, new ones", f"{self.walls.sum():,}, {self.new.sum():,}"),
-            ("doors: horizontal, vertical", f"{ways.count('h')}, {ways.count('v')} (eq. 3.15)"),
+            (
+                "doors used",
+                f"{len(self.doors)} of {n_doors}: {ways.count('h')} horizontal, {ways.count('v')} vertical (eq. 3.15)",
+            ),
             ("left picture", "green: wall, orange: new, pink: open sides of doors, blue: jambs"),
             ("right picture", LEGEND.replace(", dark", ",<br>dark").replace(", light grey", ",<br>light grey")),
         ]

@@ -216,7 +216,7 @@ class RunLab(Lab):
             ("gain of the plan", gain),
             ("cells seen", f"{100 * self.evidence.seen.mean():.0f} %"),
             ("the whole run", whole),
-            ("colours", "blue: estimate, light blue: particles,<br>green: truth, orange: beams"),
+            ("colours", "blue: estimate, light blue: particles, green: truth, orange: beams"),
         ]
 
     def _curves(self, name: str) -> Plane:
@@ -224,13 +224,13 @@ class RunLab(Lab):
         recorded = self._recorded[name]
         end, curves = len(recorded.run), recorded.curves
         ticks = [round(end * share) for share in (0, 0.25, 0.5, 0.75, 1)]
-        plane = Plane((0, end), (0, 1), ("step", "F2"), "F2 over time (fig. 6.6 E)", (340, 326), x_ticks=ticks)
+        plane = Plane((0, end), (0, 1.05), ("step", "F2"), "F2 over time (fig. 6.6 E)", (340, 326), x_ticks=ticks)
         plane.line([0, end], [self.alone, self.alone], f"stroke='{BLACK}' stroke-width='1.5' stroke-dasharray='1 3'")
         plane.line(curves.steps, curves.f_beta[WITH], f"stroke='{BLUE}' stroke-width='2'")
         plane.line(curves.steps, curves.f_beta[WITHOUT], f"stroke='{RED}' stroke-width='2' stroke-dasharray='6 4'")
         names = (("dotted: the plan alone", BLACK), (WITH, BLUE), (f"dashed: {WITHOUT}", RED))
         for i, (words, colour) in enumerate(names):
-            plane.words(end, 0.18 - 0.07 * i, f"{words}\u00a0", "end", f"fill='{colour}'")
+            plane.words(end, 0.66 - 0.07 * i, f"{words}\u00a0", "end", f"fill='{colour}'")
         return plane
 
 
