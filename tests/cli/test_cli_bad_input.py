@@ -174,6 +174,7 @@ def test_control_c_says_one_line_and_leaves_nothing(tmp_path):
         stderr=subprocess.PIPE,
         text=True,
         env=os.environ | {"PYTHONUNBUFFERED": "1"},
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a CI in the background is deaf to Ctrl-C
     )
     while "walls" not in process.stdout.readline():  # it has begun
         assert process.poll() is None

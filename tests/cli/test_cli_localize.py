@@ -148,7 +148,11 @@ def test_localize_goes_on_after_an_interruption(place, done, tmp_path):
     out = tmp_path / "out"
     command = localize(folder, "drive.log.gz", "plan.yaml", out, degrees_at(compose(np.array(ORIGIN), log.start)))
     driver = subprocess.Popen(
-        [sys.executable, "-u", "-m", "priorlab.cli", *command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [sys.executable, "-u", "-m", "priorlab.cli", *command],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),  # a CI in the background is deaf to Ctrl-C
     )
     for line in driver.stdout:
         if "  step " in line and int(line.split()[1]) >= 55:
