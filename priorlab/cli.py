@@ -14,6 +14,7 @@ import shlex
 import sys
 import time
 import traceback
+import warnings
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
@@ -246,7 +247,10 @@ def _localize(arguments: argparse.Namespace) -> int:
             print(*([f"  {sentence}\n"] if sentence else []), end="")
         tell(f"FastSLAM on {len(own.log)} scans; Ctrl-C stops it, --resume goes on")
 
-    run = drive_own_log(own, part, arguments.seed, arguments.resume, arguments.force, _Steps(), begins)
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", UserWarning)
+        warnings.showwarning = lambda message, *_: print(f"  {message}")
+        run = drive_own_log(own, part, arguments.seed, arguments.resume, arguments.force, _Steps(), begins)
     tell("results")
     verdict = judge(run, own)
     notes = write_own_log(run, own, verdict, out, arguments.command_line, arguments.force, arguments.map_mode)

@@ -100,6 +100,16 @@ def test_localize_keeps_every_percent_when_asked_and_tells_what_the_errors_are(p
     assert "they cannot tell a wrong start" in said and "corrected.tum" in said
 
 
+def test_localize_says_in_a_sentence_that_the_start_is_near_a_wall(place, tmp_path, capsys):
+    (folder, _), out = place, tmp_path / "out"
+    start = ("0.8", "1.5", "0", "--metres-per-pixel", str(PIXEL_M))  # 0.1 m from the wall
+    assert main(localize(folder, "blind.log", "plan.png", out, start)) in (0, 5)
+    lines = [line for line in capsys.readouterr().out.splitlines() if "robot_radius_m" in line]
+    assert lines == [
+        "  start lies nearer to a wall than robot_radius_m, 0.15 m: walls do not hinder particles until they have left them"
+    ]
+
+
 def test_localize_speaks_in_the_frame_of_the_map_that_came_in(place, done):
     (_, log), (out, _) = place, done
     _, way = read_tum(out / "trajectory.tum")
